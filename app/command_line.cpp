@@ -1,0 +1,147 @@
+#include "app/command_line.h"
+
+#include <charconv>
+
+#include <CLI/CLI.hpp>
+
+#include "app/commands.h"
+#include "renderer/spelling.h"
+
+namespace unghost {
+namespace {
+
+constexpr std::string_view footer =
+    "Exit codes: 0 done; 1 failed, or over a bound; 2 the words were wrong; 3 the input was refused;\n"
+    "4 no usable Vulkan device; 5 device lost or out of memory; 130 and 143 for signals.";
+
+void add_talk(CLI::App& app, CommandLine& line) {
+  app.add_flag("--json,!--no-json", line.json, "Figures as one JSON object on standard output");
+  app.add_flag("-q,--quiet,!--no-quiet", line.quiet, "Say nothing but errors");
+  app.add_flag("-v,--verbose,!--no-verbose", line.verbose, "Say more");
+}
+
+void add_device(CLI::App& app, CommandLine& line) {
+  app.add_option("--device", line.device, "Index or part of the name of a Vulkan device")->envname("UNGHOST_DEVICE");
+  app.add_flag("--validate,!--no-validate", line.validate, "Switch on the Vulkan validation layer")
+      ->envname("UNGHOST_VALIDATE");
+}
+
+void add_drawing(CLI::App& app, CommandLine& line) {
+  app.add_option("SCENE", line.scene, "A glTF file, or asphalt (the default)");
+  app.add_option("--set", line.assignments, "name=value, of any setting; may be repeated")->allow_extra_args(false);
+  app.add_option_function<std::string>(
+         "--view", [&line](const std::string& view) { line.assignments.push_back("view=" + view); },
+         "What is drawn in place of the picture")
+      ->trigger_on_parse();
+  app.add_option("--settings", line.settings, "JSON, or a PNG that unghost made: draws the same again");
+  app.add_option("--rig", line.rig, "How camera and vehicle move");
+  app.add_option_function<std::string>(
+      "--size", [&line](const std::string& text) { line.size = picture_size(text); }, "WIDTHxHEIGHT, in pixels");
+  app.add_option("--frames", line.frames, "Rendered one by one from a cold start; the last one counts")
+      ->check(CLI::Range(1u, most_frames));
+  app.add_option("--seed", line.seed, "Varies the rig; 1 is the rig as designed");
+  app.add_flag("--timings,!--no-timings", line.timings, "A table of passes: milliseconds and images");
+  add_device(app, line);
+}
+
+void add_frames_out(CLI::App& app, CommandLine& line) {
+  app.add_option("--sequence", line.sequence, "Write every frame to this folder, 00000.png on");
+  app.add_option("--from", line.from, "The first frame that is written")->check(CLI::Range(0u, most_frames));
+  app.add_option("--buffers", line.buffers, "Write lit colour, depth, motion, tag and resolved as EXR to this folder");
+}
+
+void add_options(CLI::App& app, const CommandRow& row, CommandLine& line) {
+  if (row.options & drawing) add_drawing(app, line);
+  if (row.options & device) add_device(app, line);
+  if (row.options & one_mode) app.add_option("--mode", line.mode, "Which temporal resolve");
+  if (row.options & many_modes)
+    app.add_option("--modes", line.modes, "Names with commas between them")->delimiter(',')->allow_extra_args(false);
+  if (row.options & picture) app.add_option("-o,--output", line.output, "The picture; - is standard output");
+  if (row.options & frames_out) add_frames_out(app, line);
+  if (row.options & crops)
+    app.add_flag_function(
+        "--crops,!--no-crops", [&line](int64_t count) { line.crops = count > 0; },
+        "Enlarge where the modes differ most");
+  if (row.options & figures)
+    app.add_option("--what", line.what, "Which figures: trail")->delimiter(',')->allow_extra_args(false);
+  add_talk(app, line);
+}
+
+/// The grammar; `line` is filled while it parses.
+std::unique_ptr<CLI::App> grammar(CommandLine& line, bool& version) {
+  auto app = std::make_unique<CLI::App>("Shows and measures ghosting in temporal anti-aliasing.", "unghost");
+  app->footer(std::string(footer));
+  app->allow_extras();
+  app->add_flag("--version", version, "Say the version of the program and of the driver");
+  for (const CommandRow& row : commands()) {
+    CLI::App* command = app->add_subcommand(std::string(row.name), std::string(row.summary));
+    add_options(*command, row, line);
+    command->callback([&line, &row] { line.command = &row; });
+  }
+  return app;
+}
+
+std::vector<std::string> known_words(const CLI::App& app, bool options) {
+  std::vector<std::string> known;
+  if (!options)
+    for (const CommandRow& row : commands()) known.emplace_back(row.name);
+  else
+    for (const CLI::Option* option : app.get_options()) {
+      for (const std::string& name : option->get_lnames()) known.push_back("--" + name);
+      for (const std::string& name : option->get_snames()) known.push_back("-" + name);
+    }
+  return known;
+}
+
+void refuse_unknown(const CLI::App& app, bool is_command) {
+  const std::vector<std::string> unknown = app.remaining();
+  if (unknown.empty()) return;
+  const std::string& word = unknown.front();
+  if (word.starts_with('-')) {
+    const std::string name = word.substr(0, word.find('='));
+    throw WrongWords("there is no option '" + name + "'" + did_you_mean(name, known_words(app, true)));
+  }
+  if (is_command) throw WrongWords("'" + word + "' is one word too many");
+  if (word.ends_with(".gltf") || word.ends_with(".glb"))
+    throw WrongWords("there is no window yet: 'unghost capture " + word + " -o picture.png' draws it");
+  throw WrongWords("there is no command '" + word + "'" + did_you_mean(word, known_words(app, false)));
+}
+
+}  // namespace
+
+PictureSize picture_size(const std::string& text) {
+  PictureSize size;
+  const char* end = text.data() + text.size();
+  const auto [x, error] = std::from_chars(text.data(), end, size.width);
+  const bool crossed = error == std::errc{} && x != end && *x == 'x';
+  const bool whole = crossed && std::from_chars(x + 1, end, size.height).ptr == end && x + 1 != end;
+  if (whole && size.width - 1 < longest_side && size.height - 1 < longest_side) return size;
+  throw WrongWords("a size is WIDTHxHEIGHT, both from 1 to " + std::to_string(longest_side) + ", not '" + text + "'");
+}
+
+std::variant<CommandLine, HelpText, VersionAsked> parse_command_line(std::span<const char* const> words) {
+  CommandLine line;
+  bool version = false;
+  const std::unique_ptr<CLI::App> app = grammar(line, version);
+  for (CLI::App* command : app->get_subcommands(nullptr)) command->allow_extras();
+  try {
+    std::vector<std::string> reversed(words.rbegin(), words.rend());
+    app->parse(std::move(reversed));
+  } catch (const CLI::CallForHelp&) {
+    return HelpText{app->help()};
+  } catch (const CLI::ParseError& error) {
+    throw WrongWords(error.what());
+  }
+  refuse_unknown(*app, false);
+  for (const CLI::App* command : app->get_subcommands()) refuse_unknown(*command, true);
+  if (version) return VersionAsked{};
+  return line;
+}
+
+std::string help_text() {
+  CommandLine line;
+  bool version = false;
+  return grammar(line, version)->help();
+}
+
+}  // namespace unghost

@@ -1,0 +1,59 @@
+// The words after the program's name, as plain data.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace unghost {
+
+struct CommandRow;
+
+constexpr uint32_t most_frames = 1'000'000, longest_side = 16384;
+
+struct PictureSize {
+  uint32_t width = 1280, height = 720;
+};
+
+/// What was given; what was not is empty, and gets its default from the command.
+struct CommandLine {
+  const CommandRow* command = nullptr;
+  std::optional<std::string> scene, mode, rig;
+  std::vector<std::string> modes;
+  std::vector<std::string> assignments;  // `name=value`, in order; --view is one of them
+  std::filesystem::path settings;
+  std::optional<PictureSize> size;
+  std::optional<uint32_t> frames, from;
+  std::optional<uint64_t> seed;
+  std::optional<bool> crops;
+  std::vector<std::string> what;
+  std::string device;  // index or part of a name; empty: the best
+  bool validate = false, timings = false, json = false, quiet = false, verbose = false;
+  std::string output;  // `-`: standard output
+  std::filesystem::path sequence, buffers;
+};
+
+/// The words were wrong; `what()` says which, and the nearest known one.
+struct WrongWords : std::invalid_argument {
+  using std::invalid_argument::invalid_argument;
+};
+
+/// What --help and --version ask for in place of a run.
+struct HelpText {
+  std::string text;
+};
+struct VersionAsked {};
+
+/// `WIDTHxHEIGHT`. Throws WrongWords.
+PictureSize picture_size(const std::string& text);
+/// `words` without the program's name. Throws WrongWords.
+std::variant<CommandLine, HelpText, VersionAsked> parse_command_line(std::span<const char* const> words);
+/// What --help without a command prints.
+std::string help_text();
+
+}  // namespace unghost

@@ -1,0 +1,20 @@
+#include "app/commands.h"
+
+namespace unghost {
+
+std::span<const CommandRow> commands() {
+  static constexpr CommandRow rows[] = {
+      {"capture", "Render without a window and write a picture", drawing | one_mode | picture | frames_out, capture},
+      {"compare", "Draw modes beside one another, from the same frames", drawing | many_modes | picture | crops,
+       compare},
+      {"measure", "Say in figures how much each mode ghosts", drawing | many_modes | figures, measure},
+      {"modes", "List the temporal resolves", 0, list_modes},
+      {"rigs", "List the ways in which camera and vehicle move", 0, list_rigs},
+      {"views", "List what can be drawn in place of the picture", 0, list_views},
+      {"settings", "List every setting with its range", 0, list_settings},
+      {"info", "Say which version, devices and folders there are", device, info},
+  };
+  return rows;
+}
+
+}  // namespace unghost

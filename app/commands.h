@@ -1,0 +1,49 @@
+// The commands there are, as rows: the grammar, --help and the dispatch iterate over them.
+#pragma once
+
+#include <ostream>
+#include <span>
+#include <string_view>
+
+#include "app/command_line.h"
+
+namespace unghost {
+
+/// Where a run writes: data to `out`, talk to `err`.
+struct Console {
+  std::ostream& out;
+  std::ostream& err;
+  bool quiet = false, verbose = false;
+  bool terminal = false;  // err is one: progress is shown
+};
+
+/// What a command can be told, beyond --json and the talk.
+enum CommandOptions : unsigned {
+  drawing = 1,     // a scene, settings, a rig, a size, a device
+  one_mode = 2,
+  many_modes = 4,
+  picture = 8,     // -o
+  frames_out = 16, // sequences and buffers
+  crops = 32,
+  figures = 64,    // what to measure
+  device = 128,
+};
+
+struct CommandRow {
+  std::string_view name, summary;
+  unsigned options = 0;
+  void (*run)(const CommandLine& line, Console& console) = nullptr;
+};
+
+std::span<const CommandRow> commands();
+
+void capture(const CommandLine& line, Console& console);
+void compare(const CommandLine& line, Console& console);
+void measure(const CommandLine& line, Console& console);
+void list_modes(const CommandLine& line, Console& console);
+void list_rigs(const CommandLine& line, Console& console);
+void list_views(const CommandLine& line, Console& console);
+void list_settings(const CommandLine& line, Console& console);
+void info(const CommandLine& line, Console& console);
+
+}  // namespace unghost

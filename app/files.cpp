@@ -1,0 +1,112 @@
+#include "app/files.h"
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "app/failure.h"
+
+namespace unghost {
+namespace {
+
+namespace fs = std::filesystem;
+
+[[noreturn]] void cannot_write(const fs::path& path, const std::string& why) {
+  throw Failure(Exit::failed, "cannot write " + path.string() + ": " + why);
+}
+
+// A link stays a link: what it points at is replaced.
+fs::path behind_links(const fs::path& path) {
+  std::error_code ignored;
+  return fs::is_symlink(path, ignored) ? fs::weakly_canonical(path, ignored) : path;
+}
+
+}  // namespace
+
+NewFile::NewFile(fs::path path) : path_(behind_links(path)) {
+  struct stat there {};
+  const bool exists = stat(path_.c_str(), &there) == 0;
+  if (path_.filename().empty() || (exists && S_ISDIR(there.st_mode))) cannot_write(path_, "it is a folder");
+  if (exists && !S_ISREG(there.st_mode)) {
+    descriptor_ = open(path_.c_str(), O_WRONLY | O_CLOEXEC);
+  } else {
+    const std::string name = "." + path_.filename().string() + "." + std::to_string(getpid()) + ".part";
+    passing_name_ = path_.parent_path() / name;
+    descriptor_ = open(passing_name_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_NOFOLLOW | O_CLOEXEC, 0666);
+  }
+  if (descriptor_ < 0) {
+    passing_name_.clear();
+    fail(errno);
+  }
+}
+
+NewFile::~NewFile() {
+  if (descriptor_ >= 0) close(descriptor_);
+  if (!passing_name_.empty()) unlink(passing_name_.c_str());
+}
+
+void NewFile::fail(int error) const {
+  const bool no_folder = error == ENOENT;
+  cannot_write(path_, no_folder ? "there is no folder " + path_.parent_path().string() : std::strerror(error));
+}
+
+void NewFile::write(std::span<const uint8_t> bytes) {
+  while (!bytes.empty()) {
+    const ssize_t written = ::write(descriptor_, bytes.data(), bytes.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) fail(errno);
+    bytes = bytes.subspan(size_t(written));
+  }
+}
+
+void NewFile::commit() {
+  const int closed = close(descriptor_);
+  descriptor_ = -1;
+  if (closed != 0) fail(errno);
+  if (passing_name_.empty()) return;
+  if (std::rename(passing_name_.c_str(), path_.c_str()) != 0) fail(errno);
+  passing_name_.clear();
+}
+
+void write_file(const fs::path& path, std::span<const uint8_t> bytes) {
+  NewFile file(path);
+  file.write(bytes);
+  file.commit();
+}
+
+void make_folder(const fs::path& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) throw Failure(Exit::failed, "cannot make the folder " + folder.string() + ": " + error.message());
+}
+
+std::vector<uint8_t> read_file(const fs::path& path, size_t limit) {
+  const auto refuse = [&](const std::string& why) {
+    throw Failure(Exit::input_refused, "cannot read " + path.string() + ": " + why);
+  };
+  const int descriptor = open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
+  if (descriptor < 0) refuse(std::strerror(errno));
+  struct Closing {
+    int descriptor;
+    ~Closing() { close(descriptor); }
+  } closing{descriptor};
+  struct stat facts {};
+  if (fstat(descriptor, &facts) != 0 || !S_ISREG(facts.st_mode)) refuse("it is no regular file");
+  if (uint64_t(facts.st_size) > limit) refuse("it has more than " + std::to_string(limit) + " bytes");
+  std::vector<uint8_t> bytes(size_t(facts.st_size));
+  size_t filled = 0;
+  while (filled < bytes.size()) {
+    const ssize_t got = read(descriptor, bytes.data() + filled, bytes.size() - filled);
+    if (got < 0) refuse(std::strerror(errno));
+    if (got == 0) break;
+    filled += size_t(got);
+  }
+  bytes.resize(filled);
+  return bytes;
+}
+
+}  // namespace unghost

@@ -1,0 +1,151 @@
+#include "app/headless.h"
+
+#include <algorithm>
+
+#include <nlohmann/json.hpp>
+
+#include "app/failure.h"
+#include "app/interruption.h"
+#include "app/paths.h"
+#include "app/stage.h"
+#include "app/table.h"
+
+namespace unghost {
+namespace {
+
+#ifdef NDEBUG
+constexpr bool debug_build = false;
+#else
+constexpr bool debug_build = true;
+#endif
+
+double median(std::vector<double> values) {
+  if (values.empty()) return 0;
+  const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+}  // namespace
+
+FrameInput frame_input(const Shot& shot, const RigContext& context, std::span<const ModeRun> modes, uint32_t index) {
+  const Rig& rig = *find_rig(shot.rig);
+  const auto at = [&](uint32_t frame) { return rig.at(context, frame * seconds_per_frame); };
+  FrameInput input;
+  input.now = at(index);
+  input.before = at(index == 0 ? 0 : index - 1);
+  input.index = index;
+  input.cut = index == 0;
+  input.width = shot.size.width;
+  input.height = shot.size.height;
+  input.settings = shot.settings;
+  input.modes.assign(modes.begin(), modes.end());
+  return input;
+}
+
+Headless::Headless(const CommandLine& line, const Shot& shot, Console& console)
+    : line_(line), shot_(shot), console_(console) {
+  const DataFolders folders = find_data_folders();
+  Staged staged = build_stage(scene_file(shot.scene, folders.assets), scene_file("asphalt", folders.assets),
+                              shot.settings.stage);
+  context_ = {.seed = shot.seed,
+              .track_radius = staged.track_radius,
+              .vehicle = staged.vehicle,
+              .stage = shot.settings.stage,
+              .light = shot.settings.light};
+  if (!console.quiet)
+    for (const std::string& warning : staged.scene.warnings) console.err << shot.scene << ": " << warning << "\n";
+  device_ = std::make_unique<Device>(DeviceRequest{.which = line.device, .validate = line.validate});
+  if (!console.quiet) say_banner();
+  renderer_ = std::make_unique<Renderer>(*device_, folders.shaders, std::move(staged.scene));
+}
+
+Headless::~Headless() = default;
+
+void Headless::say_banner() const {
+  const DeviceFacts& facts = device_->facts();
+  if (console_.verbose) console_.err << "device: " << facts.name << ", " << facts.driver << "\n";
+  std::string why;
+  const auto add = [&why](bool holds, const char* reason) {
+    if (holds) why += (why.empty() ? "" : ", ") + std::string(reason);
+  };
+  add(facts.software, "a software device");
+  add(line_.validate, "validation is on");
+  add(debug_build, "a debug build");
+  if (!why.empty()) console_.err << "times are not a GPU's: " << why << "\n";
+}
+
+void Headless::render(std::span<const ModeRun> modes, const Wants& wants, const Take& take) {
+  for (uint32_t frame = 0; frame < shot_.frames; ++frame) {
+    throw_if_interrupted();
+    FrameInput input = frame_input(shot_, context_, modes, frame);
+    input.wanted = wants(frame);
+    FrameResult result = renderer_->render(input);
+    note_passes(result);
+    if (!input.wanted.empty()) take(frame, input.wanted, result);
+    show_progress(frame + 1);
+  }
+  throw_if_interrupted();
+}
+
+void Headless::show_progress(uint32_t done) const {
+  if (!console_.terminal || console_.quiet) return;
+  console_.err << "\rframe " << done << " of " << shot_.frames << (done == shot_.frames ? "\n" : "") << std::flush;
+}
+
+void Headless::note_passes(const FrameResult& result) {
+  for (const PassReport& pass : result.passes) {
+    std::vector<PassReport>& reports = pass_reports_[pass.name];
+    if (reports.empty()) pass_order_.push_back(pass.name);
+    reports.push_back(pass);
+  }
+}
+
+std::vector<PassSummary> Headless::passes() const {
+  std::vector<PassSummary> summaries;
+  for (const std::string& name : pass_order_) {
+    PassSummary& summary = summaries.emplace_back(PassSummary{.name = name});
+    std::vector<double> times;
+    for (const PassReport& report : pass_reports_.at(name)) {
+      if (report.ms > 0) times.push_back(report.ms);
+      summary.image_bytes = std::max(summary.image_bytes, report.image_bytes);
+    }
+    summary.ms = median(std::move(times));
+  }
+  return summaries;
+}
+
+nlohmann::json Headless::facts() const {
+  const DeviceFacts& facts = device_->facts();
+  return {{"device", facts.name},
+          {"driver", facts.driver},
+          {"software", facts.software},
+          {"validation", line_.validate},
+          {"debug_build", debug_build}};
+}
+
+void Headless::finish() const {
+  if (line_.timings) {
+    Table table{{"pass", "ms", "images MiB"}};
+    double total_ms = 0, total_mib = 0;
+    for (const PassSummary& pass : passes()) {
+      const double mib = double(pass.image_bytes) / (1 << 20);
+      total_ms += pass.ms, total_mib += mib;
+      table.add({pass.name, fixed(pass.ms, 2), fixed(mib, 1)});
+    }
+    table.add({"all", fixed(total_ms, 2), fixed(total_mib, 1)});
+    console_.err << table.text();
+  }
+  const std::vector<std::string>& messages = device_->validation_messages();
+  for (const std::string& message : messages) console_.err << message << "\n";
+  if (!messages.empty())
+    throw Failure(Exit::failed, "the validation layer has " + std::to_string(messages.size()) + " complaints");
+}
+
+Delivered& delivered(const std::vector<Wanted>& wanted, FrameResult& result, Output what, size_t mode) {
+  const auto found = std::ranges::find_if(
+      wanted, [&](const Wanted& each) { return each.what == what && each.mode == mode; });
+  return result.delivered.at(size_t(found - wanted.begin()));
+}
+
+}  // namespace unghost

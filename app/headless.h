@@ -1,0 +1,68 @@
+// Frames without a window, one by one from a cold start.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "app/commands.h"
+#include "app/rigs.h"
+#include "app/shot.h"
+#include "renderer/gpu/device.h"
+#include "renderer/renderer.h"
+
+namespace unghost {
+
+/// Frame `index` of a shot: a pure function. Frame 0 is a cut, where nothing has moved.
+FrameInput frame_input(const Shot& shot, const RigContext& context, std::span<const ModeRun> modes, uint32_t index);
+
+/// A pass over all frames: the median of its times in ms, and the bytes of its images.
+struct PassSummary {
+  std::string name;
+  double ms = 0;
+  uint64_t image_bytes = 0;
+};
+
+/// A shot's scene on a device. The constructor loads it, says a banner where times are not a GPU's, and throws
+/// Failure and GpuError.
+class Headless {
+ public:
+  Headless(const CommandLine& line, const Shot& shot, Console& console);
+  ~Headless();
+
+  using Wants = std::function<std::vector<Wanted>(uint32_t frame)>;
+  using Take = std::function<void(uint32_t frame, const std::vector<Wanted>& wanted, FrameResult& result)>;
+  /// Draws every frame of the shot; `take` gets those of which something is wanted. Throws Interrupted between
+  /// two frames.
+  void render(std::span<const ModeRun> modes, const Wants& wants, const Take& take);
+
+  std::vector<PassSummary> passes() const;
+  /// device, driver, software, validation, debug_build.
+  nlohmann::json facts() const;
+  /// Says the timings that were asked for. Throws Failure(failed) where the validation layer complained.
+  void finish() const;
+
+ private:
+  void say_banner() const;
+  void note_passes(const FrameResult& result);
+  void show_progress(uint32_t done) const;
+
+  const CommandLine& line_;
+  const Shot& shot_;
+  Console& console_;
+  RigContext context_;
+  std::unique_ptr<Device> device_;
+  std::unique_ptr<Renderer> renderer_;
+  std::vector<std::string> pass_order_;
+  std::map<std::string, std::vector<PassReport>> pass_reports_;
+};
+
+/// What came of the first Wanted of that kind and mode. It must have been wanted.
+Delivered& delivered(const std::vector<Wanted>& wanted, FrameResult& result, Output what, size_t mode = 0);
+
+}  // namespace unghost

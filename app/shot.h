@@ -1,0 +1,34 @@
+// Everything that decides what a picture shows: what the words ask for, and what the picture carries in itself.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "app/command_line.h"
+#include "renderer/frame_input.h"
+
+namespace unghost {
+
+struct Shot {
+  std::string command;
+  std::string scene = "asphalt";
+  std::string rig = "drive";
+  uint64_t seed = 1;
+  PictureSize size;
+  uint32_t frames = 64;  // from a cold start; the last is the picture
+  bool crops = true;     // of a comparison: enlarged parts below each picture
+  Settings settings;     // what all modes share; its taa is not read
+  std::vector<ModeRun> modes;
+};
+
+/// Defaults, then the settings file, then the words. Throws SettingError for what the words get wrong, and
+/// Failure(input_refused) for what the file does.
+Shot shot_from(const CommandLine& line);
+/// What a picture of `shot` carries; `frames` of it were drawn when it was taken.
+nlohmann::json shot_json(const Shot& shot, uint32_t frames);
+std::string text_of(PictureSize size);
+
+}  // namespace unghost

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include "renderer/frame.h"
@@ -60,6 +61,34 @@ bool may_be_seen(const Bounds& box, const glm::dmat4& clip_from_object) {
   for (const int count : beyond)
     if (count == 8) return false;
   return true;
+}
+
+/// From the camera to the sphere around the box, or less.
+double distance_to(const Bounds& box, const glm::dmat4& eye_from_object) {
+  const glm::dvec3 middle = eye_from_object * glm::dvec4(glm::dvec3(box.low + box.high) * 0.5, 1);
+  const glm::dvec3 corner = eye_from_object * glm::dvec4(glm::dvec3(box.high), 1);
+  return glm::length(middle) - glm::length(corner - middle);
+}
+
+/// Fills `visible` and `casters`.
+void list_draws(FrameContext& in, const FrameConstants& constants, const GpuScene& gpu, const Objects& objects) {
+  const glm::dmat4 clip_from_eye(constants.clip_from_eye);
+  glm::dmat4 shadow_clip_from_eye(constants.shadow_from_eye);
+  for (int column = 0; column < 4; ++column)
+    for (int row = 0; row < 2; ++row)
+      shadow_clip_from_eye[column][row] = 2 * shadow_clip_from_eye[column][row] - (column == 3 ? 1 : 0);
+  std::vector<std::pair<double, const Draw*>> by_distance;
+  for (const Draw& draw : gpu.draws) {
+    const glm::dmat4& eye_from_object = objects.eye_from_object[draw.object];
+    if (may_be_seen(draw.bounds, clip_from_eye * eye_from_object))
+      by_distance.emplace_back(distance_to(draw.bounds, eye_from_object), &draw);
+    if ((draw.features & IS_UNLIT) == 0 && !draw.blended &&
+        may_be_seen(draw.bounds, shadow_clip_from_eye * eye_from_object))
+      in.casters.push_back(&draw);
+  }
+  // near ones first, so that what lies behind them is not shaded; draws at one distance keep their order
+  std::ranges::stable_sort(by_distance, {}, &std::pair<double, const Draw*>::first);
+  for (const auto& [distance, draw] : by_distance) in.visible.push_back(draw);
 }
 
 std::vector<LightData> place_lights(const FrameInput& input, const Scene& scene,
@@ -128,15 +157,14 @@ FrameSetup describe_frame(const FrameInput& input, const Scene& scene, const Gpu
                     .lights = light_slice,
                     .light_count = uint32_t(lights.size()),
                     .visible = {},
+                    .casters = {},
                     .moved = objects.moved,
                     .mirrored = objects.mirrored,
                     .anything_moved = objects.anything_moved,
                     .shadow_texels = shadow_texels,
                     .shadow_version = mixed(version, objects.moved),
                     .policy_changed = policy_changed};
-    const glm::dmat4 clip_from_eye(constants.clip_from_eye);
-    for (const Draw& draw : gpu.draws)
-      if (may_be_seen(draw.bounds, clip_from_eye * objects.eye_from_object[draw.object])) in.visible.push_back(&draw);
+    list_draws(in, constants, gpu, objects);
     setup.contexts.push_back(std::move(in));
   }
   return setup;

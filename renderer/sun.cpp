@@ -10,7 +10,8 @@ namespace {
 constexpr double covered_m = 72;  // side of the square that the map covers
 constexpr double step_m = 9;      // it moves in steps of this, so that it is seldom drawn anew: 256 texels
 constexpr double ahead_m = 22;    // its middle lies this far before the camera
-constexpr double depth_m = 240;   // along the sun's rays
+constexpr double depth_m = 240;   // along the sun's rays, where the steps are larger: nobody sees them
+constexpr double depth_step_m = 60;
 
 /// Not the identity of anything: only that two numbers differ when what they were made from does.
 uint64_t fingerprint(std::span<const double> values) {
@@ -51,8 +52,8 @@ uint64_t describe_sun(FrameConstants& constants, const FrameInput& input) {
   ahead.y = 0;
   const double length = glm::length(ahead);
   const glm::dvec3 middle = glm::dvec3(input.now.eye.x, 0, input.now.eye.z) + (length > 0.2 ? ahead / length : ahead) * ahead_m;
-  const auto snapped = [&](glm::dvec3 axis) { return std::round(glm::dot(middle, axis) / step_m) * step_m; };
-  const glm::dvec3 at(snapped(sun.right), snapped(sun.up), snapped(sun.towards));
+  const auto snapped = [&](glm::dvec3 axis, double step) { return std::round(glm::dot(middle, axis) / step) * step; };
+  const glm::dvec3 at(snapped(sun.right, step_m), snapped(sun.up, step_m), snapped(sun.towards, depth_step_m));
 
   const glm::dvec3 eye(glm::dot(input.now.eye, sun.right), glm::dot(input.now.eye, sun.up),
                        glm::dot(input.now.eye, sun.towards));

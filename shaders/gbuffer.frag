@@ -13,9 +13,15 @@ layout(location = 5) flat in uint in_id;
 layout(location = 0) out vec4 out_albedo;
 layout(location = 1) out vec2 out_normal;
 layout(location = 2) out vec4 out_material;
+#ifdef WRITES_EMISSIVE
 layout(location = 3) out vec3 out_emissive;
+#endif
+#ifdef WRITES_MOTION
 layout(location = 4) out vec4 out_motion;
+#endif
+#ifdef WRITES_OBJECT
 layout(location = 5) out uint out_id;
+#endif
 
 // A mirror would need rays; and roughness 0 is taken: it marks a surface that light does not change.
 const float least_roughness = 0.03;
@@ -53,8 +59,6 @@ void main() {
   float occlusion = 1;
   if (has(HAS_OCCLUSION))
     occlusion += m.occlusion_strength * (texture(occlusion_map, uv_of(3, in_uv.xy, in_uv.zw)).r - 1);
-  vec3 emissive = m.emissive;
-  if (has(HAS_EMISSIVE)) emissive *= texture(emissive_map, uv_of(4, in_uv.xy, in_uv.zw)).rgb;
   vec2 coat = vec2(m.coat, m.coat_roughness);
   if (has(HAS_COAT)) coat.x *= texture(coat_map, uv_of(5, in_uv.xy, in_uv.zw)).r;
   if (has(HAS_COAT_ROUGHNESS)) coat.y *= texture(coat_roughness_map, uv_of(6, in_uv.xy, in_uv.zw)).g;
@@ -63,11 +67,16 @@ void main() {
   out_normal = octahedral_from_direction(shading_normal(m));
   out_material = vec4(max(roughness_metalness.x, least_roughness), roughness_metalness.y, coat.x,
                       max(coat.y, least_roughness));
-  out_emissive = emissive;
-  if (has(IS_UNLIT)) {
-    out_material.x = 0;
-    out_emissive = base.rgb;
-  }
+  if (has(IS_UNLIT)) out_material.x = 0;
+#ifdef WRITES_EMISSIVE
+  vec3 emissive = m.emissive;
+  if (has(HAS_EMISSIVE)) emissive *= texture(emissive_map, uv_of(4, in_uv.xy, in_uv.zw)).rgb;
+  out_emissive = has(IS_UNLIT) ? base.rgb : emissive;
+#endif
+#ifdef WRITES_MOTION
   out_motion = moved ? vec4(motion_of_object(), 1) : vec4(0);
+#endif
+#ifdef WRITES_OBJECT
   out_id = in_id;
+#endif
 }

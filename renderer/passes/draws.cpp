@@ -17,26 +17,23 @@ std::vector<VkVertexInputAttributeDescription> vertex_attributes() {
           {5, 0, VK_FORMAT_R32G32B32A32_SFLOAT, offsetof(Vertex, colour)}};
 }
 
-GraphicsDesc pipeline_of(const PassCommands& commands, DrawStyle style, uint32_t features, bool moved) {
-  GraphicsDesc desc{.constants = {features, uint32_t(moved)},
+GraphicsDesc pipeline_of(const PassCommands& commands, const DrawStyle& style, uint32_t features, bool moved) {
+  GraphicsDesc desc{.vertex = style.vertex,
+                    .fragment = style.fragment,
+                    .constants = {features, uint32_t(moved)},
                     .colours = commands.colour_formats(),
                     .depth = commands.depth_format(),
+                    .writes_stencil = !style.shadow,
                     .vertex_binding = {0, sizeof(Vertex), VK_VERTEX_INPUT_RATE_VERTEX},
                     .vertex_attributes = vertex_attributes()};
-  if (style == DrawStyle::gbuffer) {
-    desc.vertex = "gbuffer.vert";
-    desc.fragment = "gbuffer.frag";
-    desc.writes_stencil = true;
-  } else {
-    // what a shadow's pipeline does not see must not make more pipelines of one
+  if (style.shadow) {
+    // what a shadow does not see must not make more pipelines of one
     const bool masked = (features & HAS_ALPHA_MASK) != 0;
     desc.constants = {masked ? features & (HAS_ALPHA_MASK | HAS_BASE_COLOUR) : 0u, 0u};
-    desc.vertex = "shadow.vert";
-    desc.fragment = masked ? "shadow.frag" : "";
+    if (!masked) desc.fragment.clear();
     desc.compare = VK_COMPARE_OP_LESS_OR_EQUAL;
     desc.depth_bias = shadow_bias;
     desc.depth_bias_slope = shadow_bias_slope;
-    desc.vertex_attributes.resize(masked ? 6 : 1);
   }
   return desc;
 }
@@ -49,7 +46,7 @@ std::vector<Binding> draw_bindings(const FrameContext& in) {
 }
 
 void record_draws(PassCommands& commands, const FrameContext& in, const std::vector<const Draw*>& draws,
-                  DrawStyle style) {
+                  const DrawStyle& style) {
   if (draws.empty()) return;
   const VkCommandBuffer cmd = commands.commands();
   const VkBuffer vertices = in.scene.vertices.buffer;
@@ -63,7 +60,7 @@ void record_draws(PassCommands& commands, const FrameContext& in, const std::vec
       commands.bind(pipeline_of(commands, style, draw->features, moved), in.scene.textures.layout());
     if (before == nullptr || before->material != draw->material)
       commands.bind_second_set(in.scene.textures.set(draw->material));
-    vkCmdSetCullMode(cmd, draw->double_sided || style == DrawStyle::shadow ? VK_CULL_MODE_NONE : VK_CULL_MODE_BACK_BIT);
+    vkCmdSetCullMode(cmd, draw->double_sided || style.shadow ? VK_CULL_MODE_NONE : VK_CULL_MODE_BACK_BIT);
     vkCmdSetFrontFace(cmd, in.mirrored[draw->object] != 0 ? VK_FRONT_FACE_CLOCKWISE : VK_FRONT_FACE_COUNTER_CLOCKWISE);
     vkCmdSetStencilReference(cmd, VK_STENCIL_FACE_FRONT_AND_BACK, draw->tag);
     commands.push(std::as_bytes(std::span(&draw->material, 1)));

@@ -5,9 +5,9 @@
 
 namespace unghost {
 
-enum class DrawStyle {
-  gbuffer,  // every attribute, tag in the stencil
-  shadow,   // depth alone, biased
+struct DrawStyle {
+  std::string vertex, fragment;
+  bool shadow = false;  // depth alone, biased; `fragment` only where a mask cuts holes
 };
 
 /// The bindings of set 0 that drawing needs, FrameConstants included.
@@ -15,6 +15,6 @@ std::vector<Binding> draw_bindings(const FrameContext& in);
 /// Records `draws` with the pipelines that their features ask for; specialization constants: the features, and
 /// whether the object moved.
 void record_draws(PassCommands& commands, const FrameContext& in, const std::vector<const Draw*>& draws,
-                  DrawStyle style);
+                  const DrawStyle& style);
 
 }  // namespace unghost

@@ -10,28 +10,30 @@ GBuffer draw_gbuffer(FrameGraph& graph, const FrameContext& in) {
       .albedo = image("albedo", VK_FORMAT_R8G8B8A8_UNORM),
       .normal = image("normal", VK_FORMAT_R16G16_SNORM),
       .material = image("material", VK_FORMAT_R8G8B8A8_UNORM),
-      .emissive = in.scene.traits.emissive ? image("emissive", VK_FORMAT_B10G11R11_UFLOAT_PACK32)
-                                           : graph.neutral(VK_FORMAT_R16G16B16A16_SFLOAT),
+      .emissive = image("emissive", VK_FORMAT_B10G11R11_UFLOAT_PACK32),
       .depth = image("depth", VK_FORMAT_D32_SFLOAT_S8_UINT),
-      .object_motion = in.anything_moved ? image("object motion", VK_FORMAT_R32G32B32A32_SFLOAT)
-                                         : graph.neutral(VK_FORMAT_R32G32B32A32_SFLOAT),
+      .object_motion = image("object motion", VK_FORMAT_R32G32B32A32_SFLOAT),
       .object = image("object", VK_FORMAT_R32_UINT),
   };
   const VkClearValue zero{};
-  std::vector<Attachment> attachments{{gbuffer.albedo, zero}, {gbuffer.normal, zero}, {gbuffer.material, zero}};
-  // Every location stays where the shader has it: what is not there this frame is an image that nobody reads.
-  attachments.push_back({in.scene.traits.emissive ? gbuffer.emissive : image("no emissive", VK_FORMAT_R8_UNORM), zero});
-  attachments.push_back({in.anything_moved ? gbuffer.object_motion : image("no motion", VK_FORMAT_R8_UNORM), zero});
-  attachments.push_back({gbuffer.object, zero});
+  std::vector<Attachment> attachments;
+  for (const ImageRef target : {gbuffer.albedo, gbuffer.normal, gbuffer.material, gbuffer.emissive,
+                                gbuffer.object_motion, gbuffer.object})
+    attachments.push_back({target, zero});
   attachments.push_back({gbuffer.depth, zero, Use::depth_attachment});
 
   graph.pass({.name = "g-buffer",
               .kind = PassKind::raster,
               .bindings = draw_bindings(in),
               .attachments = std::move(attachments),
-              .record = [&in](PassCommands& commands) {
+              .record = [&in, gbuffer](PassCommands& commands) {
                 commands.begin_rendering();
-                record_draws(commands, in, in.visible, DrawStyle::gbuffer);
+                // shaders/gbuffer.frag is compiled for every set of outputs that there may be
+                std::string fragment = "gbuffer.frag";
+                if (commands.live(gbuffer.emissive)) fragment += ".emissive";
+                if (commands.live(gbuffer.object_motion)) fragment += ".motion";
+                if (commands.live(gbuffer.object)) fragment += ".object";
+                record_draws(commands, in, in.visible, {.vertex = "gbuffer.vert", .fragment = fragment});
                 commands.end_rendering();
               }});
   return gbuffer;

@@ -16,7 +16,8 @@ struct FrameContext {
   BufferSlice objects;          // ObjectData of every object
   BufferSlice lights;           // LightData
   uint32_t light_count = 0;
-  std::vector<const Draw*> visible;     // to the camera
+  std::vector<const Draw*> visible;     // to the camera, near ones first
+  std::vector<const Draw*> casters;     // that may throw a shadow into the shadow map's square
   std::vector<uint8_t> moved;           // by object: whether it is elsewhere than last frame
   std::vector<uint8_t> mirrored;        // by object: whether its triangles are turned inside out
   bool anything_moved = false;
@@ -25,13 +26,14 @@ struct FrameContext {
   std::vector<uint8_t> policy_changed;  // by mode: its history is of another policy
 };
 
+/// What nobody reads of these is not drawn.
 struct GBuffer {
   ImageRef albedo;     // RGBA8, square root of the albedo; a: ambient occlusion
   ImageRef normal;     // RG16 SNORM, octahedral, world axes
   ImageRef material;   // RGBA8: roughness (0: unlit), metalness, coat, coat roughness
-  ImageRef emissive;   // B10G11R11, linear; neutral where nothing shines
+  ImageRef emissive;   // B10G11R11, linear
   ImageRef depth;      // D32 S8: reversed depth; the tag
-  ImageRef object_motion;  // RGBA32F: motion in pixels, last frame's depth, 1 where given; neutral where nothing moved
+  ImageRef object_motion;  // RGBA32F: motion in pixels, last frame's depth, 1 where given
   ImageRef object;     // R32UI: node index + 1
 };
 

@@ -6,11 +6,10 @@ namespace {
 constexpr VkFormat shadow_format = VK_FORMAT_D32_SFLOAT;
 constexpr VkClearValue far_away{.depthStencil = {1, 0}};
 
-std::vector<const Draw*> casters(const FrameContext& in, bool moved) {
+std::vector<const Draw*> only(const FrameContext& in, bool moved) {
   std::vector<const Draw*> draws;
-  for (const Draw& draw : in.scene.draws)
-    if ((in.moved[draw.object] != 0) == moved && (draw.features & IS_UNLIT) == 0 && !draw.blended)
-      draws.push_back(&draw);
+  for (const Draw* draw : in.casters)
+    if ((in.moved[draw->object] != 0) == moved) draws.push_back(draw);
   return draws;
 }
 
@@ -22,7 +21,8 @@ void draw_casters(FrameGraph& graph, const FrameContext& in, const char* name, b
               .attachments = {target},
               .record = [&in, moved](PassCommands& commands) {
                 commands.begin_rendering();
-                record_draws(commands, in, casters(in, moved), DrawStyle::shadow);
+                record_draws(commands, in, only(in, moved),
+                             {.vertex = "shadow.vert", .fragment = "shadow.frag", .shadow = true});
                 commands.end_rendering();
               }});
 }

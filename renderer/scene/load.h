@@ -15,7 +15,9 @@ struct LoadLimits {
   uint64_t decoded_bytes = 1ull << 30;     // all pictures together, as RGBA
   uint32_t image_side = 8192;              // pixels; the device's limit where that is smaller
   uint32_t json_depth = 64;
-  uint32_t elements = 1'000'000;           // of one kind: nodes, accessors, ...
+  uint64_t geometry_bytes = 1ull << 30;    // all vertices and indices, as the scene holds them
+  uint64_t read_bytes = 1ull << 30;        // all files together
+  uint32_t elements = 1'000'000;           // of one kind: nodes, accessors, drawn primitives, ...
 };
 
 /// Why a file was refused: `file: why (at JSON pointer)` makes the sentence.

@@ -1,28 +1,20 @@
 // The Vulkan device: the one queue, and memory out of it. Knows no scene.
 #pragma once
 
-#include <stdexcept>
+#include <functional>
 #include <string>
 #include <vector>
 
-#include <vulkan/vulkan.h>
+#include "renderer/gpu/vk.h"
 
 namespace unghost {
-
-enum class GpuFault { no_device, lost, out_of_memory, other };
-
-/// The device's fault; `what()` is a sentence that says what to do.
-struct GpuError : std::runtime_error {
-  GpuError(GpuFault kind, const std::string& sentence) : std::runtime_error(sentence), fault(kind) {}
-  GpuFault fault;
-};
 
 /// What a device says of itself.
 struct DeviceFacts {
   std::string name, driver, api_version;
-  bool software = false;      // a CPU: its times are not a GPU's
-  bool usable = false;        // has all that unghost needs
-  std::string missing;        // what it lacks where it is not usable
+  bool software = false;  // a CPU: its times are not a GPU's
+  bool usable = false;    // has all that unghost needs
+  std::string missing;    // what it lacks where it is not usable
 };
 
 struct DeviceRequest {
@@ -43,10 +35,37 @@ class Device {
   const DeviceFacts& facts() const { return facts_; }
   /// What the validation layer has said so far.
   const std::vector<std::string>& validation_messages() const { return messages_; }
+  uint32_t largest_image_side() const { return properties_.limits.maxImageDimension2D; }
+  double nanoseconds_per_tick() const { return properties_.limits.timestampPeriod; }
+  uint64_t buffer_alignment() const;
+
+  VkDevice handle() const { return device_; }
+  /// Memory for `needs`, of the first type that has all of `wanted`, else all of `required`.
+  OwnedMemory allocate(const VkMemoryRequirements& needs, VkMemoryPropertyFlags required,
+                       VkMemoryPropertyFlags wanted) const;
+  /// Records, submits, and waits, at most ten seconds: a hung device ends in GpuError(lost).
+  void run(const std::function<void(VkCommandBuffer)>& record);
+  /// vkCmdPushDescriptorSetKHR, which only the device can find.
+  PFN_vkCmdPushDescriptorSetKHR push_descriptors = nullptr;
+  /// A name for captures and validation messages; nothing where nobody listens.
+  void name(uint64_t handle, VkObjectType type, const std::string& name) const;
 
  private:
-  DeviceFacts facts_;
+  void create_device(VkPhysicalDevice physical);
+  void release();  // also what a constructor that fails half-way does
+
   std::vector<std::string> messages_;
+  DeviceFacts facts_;
+  VkInstance instance_ = VK_NULL_HANDLE;
+  VkDebugUtilsMessengerEXT messenger_ = VK_NULL_HANDLE;
+  VkPhysicalDeviceProperties properties_{};
+  VkPhysicalDeviceMemoryProperties memory_{};
+  VkDevice device_ = VK_NULL_HANDLE;
+  VkQueue queue_ = VK_NULL_HANDLE;
+  OwnedCommandPool pool_;
+  VkCommandBuffer commands_ = VK_NULL_HANDLE;
+  OwnedFence fence_;
+  PFN_vkSetDebugUtilsObjectNameEXT set_name_ = nullptr;
 };
 
 }  // namespace unghost

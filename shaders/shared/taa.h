@@ -22,4 +22,16 @@ TAA_REJECT(TAA_CONSTANT)
 TAA_BLEND(TAA_CONSTANT)
 #endif
 
+SHARED_BEGIN
+
+/// How much of each answer; push constants of the resolve.
+struct TaaPush {
+  float alpha;
+  float motion_threshold_px;
+  float near_m, far_m;
+  uint history_valid;
+};
+
+SHARED_END
+
 #endif

@@ -1,0 +1,259 @@
+#include "assets/generator/panel_mesh.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "assets/generator/body_shape.h"
+
+namespace unghost::author {
+
+using glm::dvec3;
+
+namespace {
+
+// Rays leave an inner plate for the body, so that they meet the flanks, the top and the ends nearly square.
+dvec3 from_plate(dvec3 cage) {
+  const dvec3 plate(std::clamp(cage.x, 0.0, 0.45), 0.52, std::clamp(cage.z, -1.75, 1.70));
+  dvec3 p = body_along(plate, glm::normalize(cage - plate));
+  if (cage.x == 0) p.x = 0;
+  return p;
+}
+
+bool flatter(const std::array<dvec3, 4>& q) { return glm::distance(q[0], q[2]) <= glm::distance(q[1], q[3]); }
+
+}  // namespace
+
+PanelMesh::PanelMesh() {
+  const double side = 0.9, low = 0.16, high = 1.15, front = 2.2, back = -2.2;
+  const int across = 8, up = 9, along = 34;
+  const auto z = [&](double t) { return back + (front - back) * t; };
+  add_face(across, along, [&](double u, double v) { return dvec3(side * (1 - u), high, z(v)); });
+  add_face(up, along, [&](double u, double v) { return dvec3(side, low + (high - low) * u, z(v)); });
+  add_face(across, along, [&](double u, double v) { return dvec3(side * u, low, z(v)); });
+  add_face(across, up, [&](double u, double v) { return dvec3(side * u, low + (high - low) * v, front); });
+  add_face(across, up, [&](double u, double v) { return dvec3(side * (1 - u), low + (high - low) * v, back); });
+  weld();
+  for (int round = 0; round < 5 && refine(0.0022, 0.03); ++round) {
+  }
+}
+
+void PanelMesh::add_face(int columns, int rows, const std::function<dvec3(double, double)>& cage) {
+  const auto first = uint32_t(points_.size());
+  for (int row = 0; row <= rows; ++row)
+    for (int column = 0; column <= columns; ++column)
+      points_.push_back(from_plate(cage(double(column) / columns, double(row) / rows)));
+  for (int row = 0; row < rows; ++row) {
+    for (int column = 0; column < columns; ++column) {
+      const uint32_t a = first + uint32_t(row * (columns + 1) + column), b = a + 1, d = a + uint32_t(columns) + 1,
+                     c = d + 1;
+      if (flatter({points_[a], points_[b], points_[c], points_[d]})) {
+        triangles_.push_back({{a, b, c}, Panel::paint});
+        triangles_.push_back({{a, c, d}, Panel::paint});
+      } else {
+        triangles_.push_back({{a, b, d}, Panel::paint});
+        triangles_.push_back({{b, c, d}, Panel::paint});
+      }
+    }
+  }
+}
+
+void PanelMesh::weld() {
+  std::vector<uint32_t> kept(points_.size());
+  std::vector<dvec3> unique;
+  for (size_t i = 0; i < points_.size(); ++i) {
+    const auto same = [&](dvec3 p) { return glm::distance(p, points_[i]) < 1e-5; };
+    const auto found = std::find_if(unique.begin(), unique.end(), same);
+    kept[i] = uint32_t(found - unique.begin());
+    if (found == unique.end()) unique.push_back(points_[i]);
+  }
+  points_.clear();
+  for (const dvec3 p : unique) add_point(p);
+  for (Triangle& t : triangles_)
+    for (uint32_t& corner : t.corner) corner = kept[corner];
+}
+
+uint32_t PanelMesh::add_point(dvec3 near_body) {
+  points_.push_back(on_body(near_body));
+  normals_.push_back(body_normal(points_.back()));
+  on_cut_.push_back(false);
+  return uint32_t(points_.size() - 1);
+}
+
+dvec3 PanelMesh::centroid(const Triangle& t) const {
+  return (points_[t.corner[0]] + points_[t.corner[1]] + points_[t.corner[2]]) / 3.0;
+}
+
+// Splits every edge whose middle is further than `tolerance` from the body; true if there was one.
+bool PanelMesh::refine(double tolerance, double shortest) {
+  std::map<Edge, uint32_t> middles;
+  for (const Triangle& t : std::vector<Triangle>(triangles_)) {
+    for (int i = 0; i < 3; ++i) {
+      const auto [a, b] = std::minmax(t.corner[size_t(i)], t.corner[size_t(i + 1) % 3]);
+      if (middles.contains({a, b}) || glm::distance(points_[a], points_[b]) < 2 * shortest) continue;
+      const dvec3 middle = 0.5 * (points_[a] + points_[b]);
+      const double bend = glm::dot(normals_[a], normals_[b]);
+      const bool hidden = middle.y < 0.18;
+      if (!hidden && (std::abs(body_distance(middle)) > tolerance || bend < 0.9)) middles[{a, b}] = add_point(middle);
+    }
+  }
+  split(middles);
+  return !middles.empty();
+}
+
+void PanelMesh::split(const std::map<Edge, uint32_t>& middles) {
+  std::vector<Triangle> out;
+  for (const Triangle& t : triangles_) {
+    std::array<uint32_t, 3> middle;  // of the edge from corner i to the next
+    std::array<bool, 3> has;
+    for (size_t i = 0; i < 3; ++i) {
+      const auto [a, b] = std::minmax(t.corner[i], t.corner[(i + 1) % 3]);
+      const auto found = middles.find({a, b});
+      has[i] = found != middles.end();
+      middle[i] = has[i] ? found->second : 0;
+    }
+    const int count = has[0] + has[1] + has[2];
+    // Turned so that the odd edge out comes first: the only split one, or the only whole one.
+    size_t first = 0;
+    while (count != 0 && count != 3 && has[first] != (count == 1)) ++first;
+    const auto corner = [&](size_t i) { return t.corner[(first + i) % 3]; };
+    const auto mid = [&](size_t i) { return middle[(first + i) % 3]; };
+    const auto emit = [&](uint32_t a, uint32_t b, uint32_t c) { out.push_back({{a, b, c}, t.panel}); };
+    if (count == 0) {
+      out.push_back(t);
+    } else if (count == 1) {
+      emit(corner(0), mid(0), corner(2));
+      emit(mid(0), corner(1), corner(2));
+    } else if (count == 2) {
+      emit(mid(1), corner(2), mid(2));
+      const bool short_way = glm::distance(points_[corner(0)], points_[mid(1)]) <
+                             glm::distance(points_[corner(1)], points_[mid(2)]);
+      emit(corner(0), corner(1), short_way ? mid(1) : mid(2));
+      short_way ? emit(corner(0), mid(1), mid(2)) : emit(corner(1), mid(1), mid(2));
+    } else {
+      emit(corner(0), mid(0), mid(2));
+      emit(mid(0), corner(1), mid(1));
+      emit(mid(2), mid(1), corner(2));
+      emit(mid(0), mid(1), mid(2));
+    }
+  }
+  triangles_ = std::move(out);
+}
+
+// Points that are already nearly on the outline are moved onto it: fewer slivers than cutting beside them.
+void PanelMesh::settle(const Field& field, double within) {
+  for (size_t i = 0; i < points_.size(); ++i) {
+    const double value = field(points_[i]);
+    if (on_cut_[i] || value == 0 || std::abs(value) > within) continue;
+    const double e = 1e-4;
+    dvec3 gradient;
+    for (int axis = 0; axis < 3; ++axis) {
+      dvec3 step(0);
+      step[axis] = e;
+      gradient[axis] = (field(points_[i] + step) - field(points_[i] - step)) / (2 * e);
+    }
+    gradient -= normals_[i] * glm::dot(gradient, normals_[i]);
+    if (points_[i].x == 0) gradient.x = 0;
+    const double rate = glm::dot(gradient, gradient);
+    if (rate < 0.05) continue;
+    points_[i] = on_body(points_[i] - gradient * (value / rate));
+    normals_[i] = body_normal(points_[i]);
+  }
+}
+
+void PanelMesh::divide(const Field& field, double within) {
+  settle(field, within);
+  std::vector<double> value;
+  for (const dvec3 p : points_) value.push_back(field(p));
+  const auto crossed = [&](uint32_t a, uint32_t b) {
+    return value[a] * value[b] < 0 && std::min(std::abs(value[a]), std::abs(value[b])) > 1e-5;
+  };
+  std::map<Edge, uint32_t> middles;
+  for (const Triangle& t : triangles_) {
+    for (size_t i = 0; i < 3; ++i) {
+      const auto [a, b] = std::minmax(t.corner[i], t.corner[(i + 1) % 3]);
+      if (!crossed(a, b) || middles.contains({a, b})) continue;
+      double low = 0, high = 1;
+      for (int step = 0; step < 24; ++step) {
+        const double t_middle = 0.5 * (low + high);
+        (field(glm::mix(points_[a], points_[b], t_middle)) * value[a] > 0 ? low : high) = t_middle;
+      }
+      middles[{a, b}] = add_point(glm::mix(points_[a], points_[b], low));
+    }
+  }
+  split(middles);
+  for (const auto& [edge, middle] : middles) on_cut_[middle] = true;
+  for (size_t i = 0; i < value.size(); ++i)
+    if (std::abs(value[i]) <= 1e-5) on_cut_[i] = true;
+}
+
+void PanelMesh::cut(const Field& field, Panel from, Panel to) {
+  divide(field, 0.006);
+  for (Triangle& t : triangles_)
+    if (t.panel == from && field(centroid(t)) < 0) t.panel = to;
+}
+
+void PanelMesh::score(const Field& field, double width, Panel from, Panel to) {
+  divide([&](dvec3 p) { return field(p) - width / 2; }, 0.1 * width);
+  divide([&](dvec3 p) { return field(p) + width / 2; }, 0.1 * width);
+  for (Triangle& t : triangles_)
+    if (t.panel == from && std::abs(field(centroid(t))) < width / 2) t.panel = to;
+}
+
+void PanelMesh::sink(Panel panel, dvec3 by, Panel wall) {
+  std::map<uint32_t, uint32_t> moved;
+  std::map<std::pair<uint32_t, uint32_t>, bool> inside;  // directed edges of the panel
+  for (const Triangle& t : triangles_)
+    if (t.panel == panel)
+      for (size_t i = 0; i < 3; ++i) inside[{t.corner[i], t.corner[(i + 1) % 3]}] = true;
+  const auto copy = [&](dvec3 p, dvec3 n) {
+    points_.push_back(p);
+    normals_.push_back(n);
+    on_cut_.push_back(true);
+    return uint32_t(points_.size() - 1);
+  };
+  for (Triangle& t : triangles_) {
+    if (t.panel != panel) continue;
+    for (uint32_t& corner : t.corner) {
+      if (!moved.contains(corner)) moved[corner] = copy(points_[corner] + by, normals_[corner]);
+      corner = moved[corner];
+    }
+  }
+  for (const auto& [edge, unused] : inside) {
+    const dvec3 a = points_[edge.first], b = points_[edge.second];
+    if (inside.contains({edge.second, edge.first}) || (a.x == 0 && b.x == 0)) continue;
+    const dvec3 n = glm::normalize(glm::cross(b - a, -by));
+    const uint32_t top_a = copy(a, n), top_b = copy(b, n), low_a = copy(a + by, n), low_b = copy(b + by, n);
+    triangles_.push_back({{top_a, low_a, low_b}, wall});
+    triangles_.push_back({{top_a, low_b, top_b}, wall});
+  }
+}
+
+Triangles PanelMesh::both_sides(Panel panel) const {
+  std::vector<uint32_t> index(points_.size(), UINT32_MAX);
+  Triangles half;
+  for (const Triangle& t : triangles_) {
+    if (t.panel != panel) continue;
+    for (const uint32_t corner : t.corner) {
+      if (index[corner] == UINT32_MAX) index[corner] = half.add(points_[corner], normals_[corner]);
+      half.indices.push_back(index[corner]);
+    }
+  }
+  Triangles both = half;
+  both.append(mirrored(half));
+  return both;
+}
+
+std::vector<std::array<dvec3, 2>> PanelMesh::rims() const {
+  std::map<Edge, bool> body;
+  for (const Triangle& t : triangles_)
+    if (t.panel != Panel::nothing)
+      for (size_t i = 0; i < 3; ++i) body[{t.corner[i], t.corner[(i + 1) % 3]}] = true;
+  std::vector<std::array<dvec3, 2>> out;
+  for (const auto& [edge, unused] : body) {
+    const dvec3 a = points_[edge.first], b = points_[edge.second];
+    if (!body.contains({edge.second, edge.first}) && std::max(a.x, b.x) > 0.01) out.push_back({a, b});
+  }
+  return out;
+}
+
+}  // namespace unghost::author

@@ -1,0 +1,42 @@
+#include "renderer/frame.h"
+
+namespace unghost {
+namespace {
+
+FrameImages::OfGeometry draw_geometry(FrameGraph& graph, const FrameContext& in) {
+  const ImageRef shadow_map = draw_shadow_map(graph, in);
+  const GBuffer gbuffer = draw_gbuffer(graph, in);
+  const Motion motion = resolve_motion(graph, in, gbuffer);
+  const Lit lit = light(graph, in, gbuffer, shadow_map);
+  return {gbuffer, motion, lit};
+}
+
+FrameImages::OfMode draw_mode(FrameGraph& graph, const FrameContext& in, const FrameImages::OfGeometry& geometry,
+                              size_t place) {
+  const Resolved steady = resolve_taa(
+      graph, in, {.colour = geometry.lit.colour, .gbuffer = geometry.gbuffer, .motion = geometry.motion}, place);
+  const ImageRef picture = tonemap(graph, in, steady.colour);
+  const ImageRef display = draw_view(graph, in,
+                                     {.picture = picture,
+                                      .gbuffer = geometry.gbuffer,
+                                      .motion = geometry.motion,
+                                      .lit = geometry.lit,
+                                      .resolved = steady});
+  return {.resolved = steady.colour, .display = display};
+}
+
+}  // namespace
+
+FrameImages declare_frame(FrameGraph& graph, const std::deque<FrameContext>& contexts,
+                          const std::vector<size_t>& geometry_of) {
+  FrameImages images;
+  for (const FrameContext& in : contexts) images.geometries.push_back(draw_geometry(graph, in));
+  for (size_t place = 0; place < geometry_of.size(); ++place) {
+    const size_t geometry = geometry_of[place];
+    images.modes.push_back(draw_mode(graph, contexts[geometry], images.geometries[geometry], place));
+    images.modes.back().geometry = geometry;
+  }
+  return images;
+}
+
+}  // namespace unghost

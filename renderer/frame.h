@@ -1,0 +1,38 @@
+// One frame: what the passes are told, and their order.
+#pragma once
+
+#include <deque>
+
+#include "renderer/passes/passes.h"
+
+namespace unghost {
+
+/// The images of a frame that somebody may ask for.
+struct FrameImages {
+  struct OfMode {
+    ImageRef resolved, display;
+    size_t geometry = 0;  // index into `geometries`
+  };
+  struct OfGeometry {
+    GBuffer gbuffer;
+    Motion motion;
+    Lit lit;
+  };
+  std::vector<OfMode> modes;
+  std::vector<OfGeometry> geometries;  // one for each jitter among the modes
+};
+
+/// Declares the frame. `contexts` has one entry for each jitter and outlives the graph; `geometry_of` says which one
+/// each mode takes.
+FrameImages declare_frame(FrameGraph& graph, const std::deque<FrameContext>& contexts,
+                          const std::vector<size_t>& geometry_of);
+
+/// Poses the scene and describes it to the passes, once for each jitter among the modes.
+struct FrameSetup {
+  std::deque<FrameContext> contexts;
+  std::vector<size_t> geometry_of;  // by mode
+};
+FrameSetup describe_frame(const FrameInput& input, const Scene& scene, const GpuScene& gpu, FrameMemory& memory,
+                          std::vector<uint8_t> policy_changed);
+
+}  // namespace unghost

@@ -1,0 +1,173 @@
+#include <algorithm>
+#include <cmath>
+
+#include "renderer/frame.h"
+#include "renderer/pose.h"
+#include "renderer/scene/bounds.h"
+#include "renderer/sun.h"
+#include "renderer/view.h"
+
+namespace unghost {
+namespace {
+
+glm::dmat4 relative_to(glm::dvec3 eye, glm::dmat4 world) {
+  world[3] -= glm::dvec4(eye, 0);
+  return world;
+}
+
+struct Objects {
+  std::vector<ObjectData> data;
+  std::vector<glm::dmat4> eye_from_object;
+  std::vector<uint8_t> moved, mirrored;
+  bool anything_moved = false;
+};
+
+Objects place_objects(const FrameInput& input, const Scene& scene, const GpuScene& gpu,
+                      const std::vector<glm::dmat4>& now) {
+  const std::vector<glm::dmat4> before = input.cut ? now : pose(scene, input.before);
+  Objects objects;
+  for (const int node : gpu.object_nodes) {
+    const glm::dmat4 eye_from_object = relative_to(input.now.eye, now[size_t(node)]);
+    const glm::dmat3 linear(eye_from_object);
+    const double determinant = glm::determinant(linear);
+    const bool moved = now[size_t(node)] != before[size_t(node)];
+    // a flattened object has no inverse; its cofactors still know where its normals point
+    const glm::dmat3 cofactors(glm::cross(linear[1], linear[2]), glm::cross(linear[2], linear[0]),
+                               glm::cross(linear[0], linear[1]));
+    objects.data.push_back({.eye_from_object = glm::mat4x3(eye_from_object),
+                            .previous_eye_from_object =
+                                glm::mat4x3(relative_to(input.before.eye, before[size_t(node)])),
+                            .normal_from_object = glm::mat3(cofactors * (determinant < 0 ? -1.0 : 1.0)),
+                            .id = uint32_t(node + 1)});
+    objects.eye_from_object.push_back(eye_from_object);
+    objects.moved.push_back(moved);
+    objects.mirrored.push_back(determinant < 0);
+    objects.anything_moved |= moved;
+  }
+  return objects;
+}
+
+/// Whether some of the box may be seen: not all of its corners lie beyond one and the same side of the picture.
+bool may_be_seen(const Bounds& box, const glm::dmat4& clip_from_object) {
+  int beyond[5] = {};
+  for (int corner = 0; corner < 8; ++corner) {
+    const glm::dvec4 at(corner & 1 ? box.high.x : box.low.x, corner & 2 ? box.high.y : box.low.y,
+                        corner & 4 ? box.high.z : box.low.z, 1);
+    const glm::dvec4 clip = clip_from_object * at;
+    beyond[0] += clip.x < -clip.w, beyond[1] += clip.x > clip.w;
+    beyond[2] += clip.y < -clip.w, beyond[3] += clip.y > clip.w;
+    beyond[4] += clip.z > clip.w;  // before the near plane
+  }
+  for (const int count : beyond)
+    if (count == 8) return false;
+  return true;
+}
+
+/// From the camera to the sphere around the box, or less.
+double distance_to(const Bounds& box, const glm::dmat4& eye_from_object) {
+  const glm::dvec3 middle = eye_from_object * glm::dvec4(glm::dvec3(box.low + box.high) * 0.5, 1);
+  const glm::dvec3 corner = eye_from_object * glm::dvec4(glm::dvec3(box.high), 1);
+  return glm::length(middle) - glm::length(corner - middle);
+}
+
+/// Fills `visible` and `casters`.
+void list_draws(FrameContext& in, const FrameConstants& constants, const GpuScene& gpu, const Objects& objects) {
+  const glm::dmat4 clip_from_eye(constants.clip_from_eye);
+  glm::dmat4 shadow_clip_from_eye(constants.shadow_from_eye);
+  for (int column = 0; column < 4; ++column)
+    for (int row = 0; row < 2; ++row)
+      shadow_clip_from_eye[column][row] = 2 * shadow_clip_from_eye[column][row] - (column == 3 ? 1 : 0);
+  std::vector<std::pair<double, const Draw*>> by_distance;
+  for (const Draw& draw : gpu.draws) {
+    const glm::dmat4& eye_from_object = objects.eye_from_object[draw.object];
+    if (may_be_seen(draw.bounds, clip_from_eye * eye_from_object))
+      by_distance.emplace_back(distance_to(draw.bounds, eye_from_object), &draw);
+    if ((draw.features & IS_UNLIT) == 0 && !draw.blended &&
+        may_be_seen(draw.bounds, shadow_clip_from_eye * eye_from_object))
+      in.casters.push_back(&draw);
+  }
+  // near ones first, so that what lies behind them is not shaded; draws at one distance keep their order
+  std::ranges::stable_sort(by_distance, {}, &std::pair<double, const Draw*>::first);
+  for (const auto& [distance, draw] : by_distance) in.visible.push_back(draw);
+}
+
+std::vector<LightData> place_lights(const FrameInput& input, const Scene& scene,
+                                    const std::vector<glm::dmat4>& now) {
+  std::vector<LightData> lights;
+  for (size_t n = 0; n < scene.nodes.size(); ++n) {
+    if (scene.nodes[n].light < 0) continue;
+    const Light& light = scene.lights[size_t(scene.nodes[n].light)];
+    const glm::dmat4 eye_from_light = relative_to(input.now.eye, now[n]);
+    LightData data{.position_eye = glm::vec3(eye_from_light[3]),
+                   .inverse_range_squared = light.range > 0 ? 1 / (light.range * light.range) : 0,
+                   .intensity = light.intensity,
+                   .spot_scale = 0,
+                   .direction_eye = glm::vec3(glm::normalize(-glm::dvec3(eye_from_light[2]))),
+                   .spot_offset = 1,
+                   .directional = light.kind == LightKind::directional};
+    if (light.kind == LightKind::spot) {
+      const float inner = std::cos(light.inner_cone), outer = std::cos(light.outer_cone);
+      data.spot_scale = 1 / std::max(inner - outer, 1e-3f);
+      data.spot_offset = -outer * data.spot_scale;
+    }
+    lights.push_back(data);
+  }
+  return lights;
+}
+
+/// Shadows of what rests change when something comes to rest or starts to move.
+uint64_t mixed(uint64_t version, const std::vector<uint8_t>& moved) {
+  for (const uint8_t flag : moved) version = (version ^ flag) * 1099511628211u;
+  return version;
+}
+
+bool share_geometry(const TaaSettings& a, const TaaSettings& b) {
+  const bool still = a.policy.jitter == Jitter::none || a.jitter_scale == 0;
+  const bool other_still = b.policy.jitter == Jitter::none || b.jitter_scale == 0;
+  return (still && other_still) ||
+         (!still && !other_still && a.policy.jitter == b.policy.jitter && a.jitter_scale == b.jitter_scale);
+}
+
+}  // namespace
+
+FrameSetup describe_frame(const FrameInput& input, const Scene& scene, const GpuScene& gpu, FrameMemory& memory,
+                          std::vector<uint8_t> policy_changed) {
+  const std::vector<glm::dmat4> now = pose(scene, input.now);
+  const Objects objects = place_objects(input, scene, gpu, now);
+  const std::vector<LightData> lights = place_lights(input, scene, now);
+  const BufferSlice object_slice = memory.push_range(objects.data), light_slice = memory.push_range(lights);
+
+  FrameSetup setup;
+  std::vector<const TaaSettings*> jitters;
+  for (const ModeRun& run : input.modes) {
+    size_t geometry = 0;
+    while (geometry < jitters.size() && !share_geometry(*jitters[geometry], run.taa)) ++geometry;
+    if (geometry == jitters.size()) jitters.push_back(&run.taa);
+    setup.geometry_of.push_back(geometry);
+  }
+  for (const TaaSettings* taa : jitters) {
+    FrameConstants constants{};
+    describe_camera(constants, input, jitter_offset(taa->policy.jitter, input.index) * double(taa->jitter_scale));
+    const uint64_t version = describe_sun(constants, input);
+    FrameContext in{.input = input,
+                    .scene = gpu,
+                    .size = {input.width, input.height},
+                    .constants = memory.push_value(constants),
+                    .objects = object_slice,
+                    .lights = light_slice,
+                    .light_count = uint32_t(lights.size()),
+                    .visible = {},
+                    .casters = {},
+                    .moved = objects.moved,
+                    .mirrored = objects.mirrored,
+                    .anything_moved = objects.anything_moved,
+                    .shadow_texels = shadow_texels,
+                    .shadow_version = mixed(version, objects.moved),
+                    .policy_changed = policy_changed};
+    list_draws(in, constants, gpu, objects);
+    setup.contexts.push_back(std::move(in));
+  }
+  return setup;
+}
+
+}  // namespace unghost

@@ -1,0 +1,169 @@
+#include "renderer/gpu/device.h"
+
+#include <algorithm>
+
+#include "renderer/gpu/instance.h"
+
+namespace unghost {
+namespace {
+
+constexpr uint64_t longest_wait_ns = 10'000'000'000;
+
+/// The device that is asked for, or the first usable one, a GPU before a CPU.
+size_t choose(const std::vector<DeviceFacts>& all, const std::string& which) {
+  for (size_t i = 0; i < all.size(); ++i) {
+    const bool asked = which.empty() ? all[i].usable && !all[i].software
+                                     : which == std::to_string(i) || all[i].name.find(which) != std::string::npos;
+    if (!asked) continue;
+    if (!all[i].usable)
+      throw GpuError(GpuFault::no_device, "the device " + all[i].name + " lacks " + all[i].missing);
+    return i;
+  }
+  if (which.empty())
+    for (size_t i = 0; i < all.size(); ++i)
+      if (all[i].usable) return i;
+  std::string sentence = which.empty() ? "no usable Vulkan device" : "no Vulkan device is called '" + which + "'";
+  for (const DeviceFacts& facts : all)
+    sentence += "; there is " + facts.name + (facts.usable ? "" : ", which lacks " + facts.missing);
+  if (all.empty()) sentence += "; install a driver (on Debian: mesa-vulkan-drivers) or see VK_DRIVER_FILES";
+  throw GpuError(GpuFault::no_device, sentence);
+}
+
+}  // namespace
+
+void check(VkResult result, const char* doing) {
+  if (result >= VK_SUCCESS) return;
+  const std::string what = std::string("Vulkan failed while ") + doing;
+  switch (result) {
+  case VK_ERROR_DEVICE_LOST: throw GpuError(GpuFault::lost, what + ": the device was lost");
+  case VK_ERROR_OUT_OF_HOST_MEMORY:
+  case VK_ERROR_OUT_OF_DEVICE_MEMORY:
+    throw GpuError(GpuFault::out_of_memory, what + ": out of memory; try a smaller --size");
+  default: throw GpuError(GpuFault::other, what + " (VkResult " + std::to_string(result) + ")");
+  }
+}
+
+Device::Device(const DeviceRequest& request) {
+  instance_ = create_instance(request.validate);
+  try {
+    if (request.validate) messenger_ = listen(instance_, messages_);
+    const auto physical = physical_devices(instance_);
+    std::vector<DeviceFacts> all;
+    for (const VkPhysicalDevice one : physical) all.push_back(facts_of(one));
+    const size_t chosen = choose(all, request.which);
+    facts_ = all[chosen];
+    create_device(physical[chosen]);
+    if (request.validate)
+      set_name_ = reinterpret_cast<PFN_vkSetDebugUtilsObjectNameEXT>(
+          vkGetInstanceProcAddr(instance_, "vkSetDebugUtilsObjectNameEXT"));
+  } catch (...) {
+    release();
+    throw;
+  }
+}
+
+void Device::create_device(VkPhysicalDevice physical) {
+  vkGetPhysicalDeviceProperties(physical, &properties_);
+  vkGetPhysicalDeviceMemoryProperties(physical, &memory_);
+  Features features;
+  for (const NeededFeature& feature : needed_features()) feature.in(features) = VK_TRUE;
+  const uint32_t family = uint32_t(queue_family(physical));
+  const float priority = 1;
+  const VkDeviceQueueCreateInfo queue{.sType = VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO,
+                                      .queueFamilyIndex = family,
+                                      .queueCount = 1,
+                                      .pQueuePriorities = &priority};
+  const char* extensions[] = {VK_KHR_PUSH_DESCRIPTOR_EXTENSION_NAME};
+  const VkDeviceCreateInfo info{.sType = VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO,
+                                .pNext = &features.core,
+                                .queueCreateInfoCount = 1,
+                                .pQueueCreateInfos = &queue,
+                                .enabledExtensionCount = 1,
+                                .ppEnabledExtensionNames = extensions};
+  check(vkCreateDevice(physical, &info, nullptr, &device_), "opening the device");
+  vkGetDeviceQueue(device_, family, 0, &queue_);
+  push_descriptors = reinterpret_cast<PFN_vkCmdPushDescriptorSetKHR>(
+      vkGetDeviceProcAddr(device_, "vkCmdPushDescriptorSetKHR"));
+
+  const VkCommandPoolCreateInfo pool{.sType = VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO,
+                                     .flags = VK_COMMAND_POOL_CREATE_RESET_COMMAND_BUFFER_BIT,
+                                     .queueFamilyIndex = family};
+  VkCommandPool made = VK_NULL_HANDLE;
+  check(vkCreateCommandPool(device_, &pool, nullptr, &made), "making a command pool");
+  pool_ = {device_, made};
+  const VkCommandBufferAllocateInfo allocation{.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO,
+                                               .commandPool = pool_,
+                                               .level = VK_COMMAND_BUFFER_LEVEL_PRIMARY,
+                                               .commandBufferCount = 1};
+  check(vkAllocateCommandBuffers(device_, &allocation, &commands_), "making a command buffer");
+  const VkFenceCreateInfo fence{.sType = VK_STRUCTURE_TYPE_FENCE_CREATE_INFO};
+  VkFence signal = VK_NULL_HANDLE;
+  check(vkCreateFence(device_, &fence, nullptr, &signal), "making a fence");
+  fence_ = {device_, signal};
+}
+
+Device::~Device() { release(); }
+
+void Device::release() {
+  fence_ = {};
+  pool_ = {};
+  if (device_ != VK_NULL_HANDLE) vkDestroyDevice(device_, nullptr);
+  if (messenger_ != VK_NULL_HANDLE) {
+    const auto destroy = reinterpret_cast<PFN_vkDestroyDebugUtilsMessengerEXT>(
+        vkGetInstanceProcAddr(instance_, "vkDestroyDebugUtilsMessengerEXT"));
+    destroy(instance_, messenger_, nullptr);
+  }
+  if (instance_ != VK_NULL_HANDLE) vkDestroyInstance(instance_, nullptr);
+}
+
+uint64_t Device::buffer_alignment() const {
+  return std::max({properties_.limits.minUniformBufferOffsetAlignment,
+                   properties_.limits.minStorageBufferOffsetAlignment, VkDeviceSize{16}});
+}
+
+OwnedMemory Device::allocate(const VkMemoryRequirements& needs, VkMemoryPropertyFlags required,
+                             VkMemoryPropertyFlags wanted) const {
+  for (const VkMemoryPropertyFlags flags : {required | wanted, required})
+    for (uint32_t type = 0; type < memory_.memoryTypeCount; ++type) {
+      const bool fits = (needs.memoryTypeBits >> type & 1) != 0;
+      if (!fits || (memory_.memoryTypes[type].propertyFlags & flags) != flags) continue;
+      const VkMemoryAllocateInfo info{.sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO,
+                                      .allocationSize = needs.size,
+                                      .memoryTypeIndex = type};
+      VkDeviceMemory memory = VK_NULL_HANDLE;
+      check(vkAllocateMemory(device_, &info, nullptr, &memory), "allocating memory");
+      return {device_, memory};
+    }
+  throw GpuError(GpuFault::out_of_memory, "the device has no memory of the kind that is needed");
+}
+
+void Device::run(const std::function<void(VkCommandBuffer)>& record) {
+  const VkCommandBufferBeginInfo begin{.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO,
+                                       .flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT};
+  check(vkBeginCommandBuffer(commands_, &begin), "recording");
+  record(commands_);
+  check(vkEndCommandBuffer(commands_), "recording");
+  const VkCommandBufferSubmitInfo buffer{.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_SUBMIT_INFO,
+                                         .commandBuffer = commands_};
+  const VkSubmitInfo2 submit{.sType = VK_STRUCTURE_TYPE_SUBMIT_INFO_2,
+                             .commandBufferInfoCount = 1,
+                             .pCommandBufferInfos = &buffer};
+  check(vkQueueSubmit2(queue_, 1, &submit, fence_), "submitting work");
+  const VkFence fence = fence_;
+  const VkResult waited = vkWaitForFences(device_, 1, &fence, VK_TRUE, longest_wait_ns);
+  if (waited == VK_TIMEOUT)
+    throw GpuError(GpuFault::lost, "the device did not answer for ten seconds; try a smaller --size");
+  check(waited, "waiting for the device");
+  check(vkResetFences(device_, 1, &fence), "waiting for the device");
+}
+
+void Device::name(uint64_t handle, VkObjectType type, const std::string& name) const {
+  if (set_name_ == nullptr) return;
+  const VkDebugUtilsObjectNameInfoEXT info{.sType = VK_STRUCTURE_TYPE_DEBUG_UTILS_OBJECT_NAME_INFO_EXT,
+                                           .objectType = type,
+                                           .objectHandle = handle,
+                                           .pObjectName = name.c_str()};
+  set_name_(device_, &info);
+}
+
+}  // namespace unghost

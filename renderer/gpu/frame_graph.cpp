@@ -1,0 +1,90 @@
+#include "renderer/gpu/frame_graph.h"
+
+#include "renderer/gpu/graph_runner.h"
+
+namespace unghost {
+namespace {
+
+bool same_place(const ImageDesc& a, const ImageDesc& b) {
+  return a.format == b.format && a.extent.width == b.extent.width && a.extent.height == b.extent.height;
+}
+
+}  // namespace
+
+Binding sampled(uint32_t slot, ImageRef image) { return {.slot = slot, .use = Use::sampled, .image = image}; }
+Binding sampled_stencil(uint32_t slot, ImageRef image) {
+  return {.slot = slot, .use = Use::sampled_stencil, .image = image};
+}
+Binding storage_read(uint32_t slot, ImageRef image) {
+  return {.slot = slot, .use = Use::storage_read, .image = image, .type = VK_DESCRIPTOR_TYPE_STORAGE_IMAGE};
+}
+Binding storage_write(uint32_t slot, ImageRef image) {
+  return {.slot = slot, .use = Use::storage_write, .image = image, .type = VK_DESCRIPTOR_TYPE_STORAGE_IMAGE};
+}
+Binding uniform(uint32_t slot, BufferSlice buffer) {
+  return {.slot = slot, .buffer = buffer, .type = VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER};
+}
+Binding buffer(uint32_t slot, BufferSlice buffer) {
+  return {.slot = slot, .buffer = buffer, .type = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER};
+}
+
+ImageRef FrameGraph::image(ImageDesc desc) {
+  images_.push_back({.desc = std::move(desc)});
+  return {uint32_t(images_.size() - 1)};
+}
+
+ImageRef FrameGraph::keep(GraphImage image) {
+  for (uint32_t i = 0; i < images_.size(); ++i)
+    if (images_[i].key == image.key) return {i};
+  images_.push_back(std::move(image));
+  return {uint32_t(images_.size() - 1)};
+}
+
+ImageRef FrameGraph::neutral(VkFormat format) {
+  const std::string key = std::string(neutral_prefix) + std::to_string(format);
+  return keep({.desc = {.name = key, .format = format}, .key = key, .holds_content = true});
+}
+
+History FrameGraph::history(const std::string& key, ImageDesc desc, bool reset) {
+  const bool even = frame_ % 2 == 0;
+  const std::string before = key + (even ? " b" : " a"), now = key + (even ? " a" : " b");
+  const auto found = kept_.find(before);
+  const bool valid = !reset && found != kept_.end() && found->second.frame + 1 == frame_ &&
+                     same_place(found->second.desc, desc);
+  desc.name = key;
+  History history{
+      .previous = valid ? keep({.desc = desc, .key = before, .holds_content = true}) : neutral(desc.format),
+      .next = keep({.desc = desc, .key = now}),
+      .valid = valid};
+  want(history.next);
+  return history;
+}
+
+Cache FrameGraph::cache(const std::string& key, ImageDesc desc, uint64_t version) {
+  const auto found = kept_.find(key);
+  const bool valid =
+      found != kept_.end() && found->second.version == version && same_place(found->second.desc, desc);
+  desc.name = key;
+  return {.image = keep({.desc = desc, .key = key, .holds_content = valid, .version = version}),
+          .valid = valid};
+}
+
+void FrameGraph::compute(ComputePass pass) {
+  passes_.push_back({.name = pass.name, .bindings = pass.bindings, .record = [pass](PassCommands& commands) {
+                       commands.dispatch(pass);
+                     }});
+}
+
+size_t FrameGraph::read_back(ImageRef image, VkImageAspectFlags aspect) {
+  want(image);
+  readbacks_.push_back({image, aspect});
+  const size_t place = readbacks_.size() - 1;
+  passes_.push_back({.name = "read back " + desc(image).name,
+                     .kind = PassKind::transfer,
+                     .transfers = {{image, Use::transfer_source}},
+                     .root = true,
+                     .record = [place](PassCommands& commands) { commands.read_back(place); }});
+  return place;
+}
+
+}  // namespace unghost

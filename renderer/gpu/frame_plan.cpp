@@ -1,0 +1,167 @@
+#include "renderer/gpu/frame_plan.h"
+
+#include <algorithm>
+#include <cassert>
+#include <utility>
+
+namespace unghost {
+namespace {
+
+struct Touch {
+  ImageRef image;
+  UseFacts facts;
+  bool keeps;  // what was there before matters
+};
+
+/// Every image that a pass touches, once, with all its uses joined.
+std::vector<Touch> touches_of(const FrameGraph& graph, const Pass& pass) {
+  std::vector<Touch> touches;
+  const auto touch = [&](ImageRef image, Use use, bool keeps) {
+    const UseFacts facts = facts_of(use, pass.kind, graph.desc(image).format);
+    for (Touch& other : touches)
+      if (other.image == image) {
+        assert(other.facts.layout == facts.layout && "one layout an image and pass");
+        other.facts.stages |= facts.stages;
+        other.facts.access |= facts.access;
+        other.facts.usage |= facts.usage;
+        other.facts.reads |= facts.reads;
+        other.facts.writes |= facts.writes;
+        other.keeps |= keeps;
+        return;
+      }
+    touches.push_back({image, facts, keeps});
+  };
+  for (const Binding& binding : pass.bindings)
+    if (binding.image) touch(binding.image, binding.use, binding.use != Use::storage_write);
+  for (const Attachment& attachment : pass.attachments)
+    if (attachment.image) touch(attachment.image, attachment.use, !attachment.clear);
+  for (const auto& [image, use] : pass.transfers) touch(image, use, use == Use::transfer_source);
+  return touches;
+}
+
+/// The barrier that `touch` needs, if it needs one, and what the image's state is after it.
+std::optional<ImageBarrier> step(ImageState& state, const Touch& touch, bool discards) {
+  const UseFacts& facts = touch.facts;
+  const bool moves = discards || state.layout != facts.layout;
+  const bool sees = (state.read_in & facts.stages) == facts.stages &&
+                    (state.read_access & facts.access) == facts.access;
+  std::optional<ImageBarrier> barrier;
+  if (facts.writes || moves || !sees)
+    barrier = ImageBarrier{.image = touch.image,
+                           .from_stages = state.written_in | (facts.writes || moves ? state.read_in : 0),
+                           .to_stages = facts.stages,
+                           .from_access = state.write_access,
+                           .to_access = facts.access,
+                           .from = discards ? VK_IMAGE_LAYOUT_UNDEFINED : state.layout,
+                           .to = facts.layout};
+  if (facts.writes) {
+    state = {.layout = facts.layout, .written_in = facts.stages, .write_access = facts.access};
+  } else if (moves) {  // the transition is a write that only this use has waited for
+    state = {.layout = facts.layout,
+             .written_in = facts.stages,
+             .read_in = facts.stages,
+             .read_access = facts.access};
+  } else {
+    state.read_in |= facts.stages;
+    state.read_access |= facts.access;
+  }
+  return barrier;
+}
+
+}  // namespace
+
+UseFacts facts_of(Use use, PassKind kind, VkFormat format) {
+  const VkPipelineStageFlags2 shader = kind == PassKind::compute ? VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT
+                                                                 : VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT;
+  constexpr VkPipelineStageFlags2 depth_stages =
+      VK_PIPELINE_STAGE_2_EARLY_FRAGMENT_TESTS_BIT | VK_PIPELINE_STAGE_2_LATE_FRAGMENT_TESTS_BIT;
+  const VkImageLayout sampled_layout = is_depth(format) ? VK_IMAGE_LAYOUT_DEPTH_STENCIL_READ_ONLY_OPTIMAL
+                                                        : VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL;
+  switch (use) {
+  case Use::colour_attachment:
+    return {VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT,
+            VK_ACCESS_2_COLOR_ATTACHMENT_READ_BIT | VK_ACCESS_2_COLOR_ATTACHMENT_WRITE_BIT,
+            VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL, VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT, false, true};
+  case Use::depth_attachment:
+    return {depth_stages,
+            VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_READ_BIT | VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_WRITE_BIT,
+            VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL, VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT,
+            true, true};
+  case Use::depth_test:
+    return {depth_stages, VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_READ_BIT,
+            VK_IMAGE_LAYOUT_DEPTH_STENCIL_READ_ONLY_OPTIMAL, VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT, true,
+            false};
+  case Use::sampled:
+  case Use::sampled_stencil:
+    return {shader, VK_ACCESS_2_SHADER_SAMPLED_READ_BIT, sampled_layout, VK_IMAGE_USAGE_SAMPLED_BIT, true,
+            false};
+  case Use::storage_read:
+    return {shader, VK_ACCESS_2_SHADER_STORAGE_READ_BIT, VK_IMAGE_LAYOUT_GENERAL, VK_IMAGE_USAGE_STORAGE_BIT,
+            true, false};
+  case Use::storage_write:
+    return {shader, VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT, VK_IMAGE_LAYOUT_GENERAL, VK_IMAGE_USAGE_STORAGE_BIT,
+            false, true};
+  case Use::transfer_source:
+    return {VK_PIPELINE_STAGE_2_COPY_BIT, VK_ACCESS_2_TRANSFER_READ_BIT, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL,
+            VK_IMAGE_USAGE_TRANSFER_SRC_BIT, true, false};
+  case Use::transfer_destination:
+    return {VK_PIPELINE_STAGE_2_COPY_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL,
+            VK_IMAGE_USAGE_TRANSFER_DST_BIT, false, true};
+  }
+  return {};
+}
+
+FramePlan cull(const FrameGraph& graph) {
+  FramePlan plan;
+  plan.images.resize(graph.images().size());
+  for (const ImageRef wanted : graph.wanted()) plan.images[wanted.index].live = true;
+
+  std::vector<size_t> running;
+  for (size_t i = graph.passes().size(); i-- > 0;) {
+    const std::vector<Touch> touches = touches_of(graph, graph.passes()[i]);
+    bool runs = graph.passes()[i].root;
+    for (const Touch& touch : touches) runs |= touch.facts.writes && plan.images[touch.image.index].live;
+    if (!runs) continue;
+    running.push_back(i);
+    for (const Touch& touch : touches) {
+      PlannedImage& image = plan.images[touch.image.index];
+      image.needed = true;
+      image.live |= touch.facts.reads;
+      image.usage |= touch.facts.usage;
+    }
+  }
+  for (PlannedImage& image : plan.images)
+    if (!image.live && (image.usage & VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT) != 0) image.needed = false;
+  for (size_t i = running.size(); i-- > 0;) plan.passes.push_back({.pass = running[i]});
+  for (size_t place = plan.passes.size(); place-- > 0;)
+    for (const Touch& touch : touches_of(graph, graph.passes()[plan.passes[place].pass])) {
+      PlannedImage& image = plan.images[touch.image.index];
+      image.last_pass = std::max(image.last_pass, place);
+      image.first_pass = place;
+    }
+  return plan;
+}
+
+void derive_barriers(const FrameGraph& graph, FramePlan& plan, std::span<const uint32_t> place,
+                     std::vector<ImageState>& states) {
+  std::vector<uint8_t> touched(graph.images().size(), 0);
+  for (PlannedPass& planned : plan.passes)
+    for (const Touch& touch : touches_of(graph, graph.passes()[planned.pass])) {
+      const size_t index = touch.image.index;
+      if (!plan.images[index].needed) continue;
+      const bool first = std::exchange(touched[index], 1) == 0;
+      const bool discards = first && !graph.images()[index].holds_content;
+      if (const auto barrier = step(states[place[index]], touch, discards)) planned.barriers.push_back(*barrier);
+    }
+}
+
+void note_kept(const FrameGraph& graph, const FramePlan& plan) {
+  for (const PlannedPass& planned : plan.passes)
+    for (const Touch& touch : touches_of(graph, graph.passes()[planned.pass])) {
+      const FrameGraph::GraphImage& image = graph.images()[touch.image.index];
+      if (touch.facts.writes && !image.key.empty())
+        graph.kept()[image.key] = {.desc = image.desc, .frame = graph.frame(), .version = image.version};
+    }
+}
+
+}  // namespace unghost

@@ -1,0 +1,188 @@
+#include "renderer/gpu/graph_runner.h"
+
+#include <algorithm>
+
+namespace unghost {
+namespace {
+
+constexpr uint64_t frames_until_forgotten = 4;
+constexpr uint32_t nowhere = ~0u;
+
+/// A kept image is used in other ways in other frames, and must not lose its content by that.
+VkImageUsageFlags usage_of_kept(VkFormat format) {
+  constexpr VkImageUsageFlags any =
+      VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT;
+  return any | (is_depth(format) ? VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT : VK_IMAGE_USAGE_STORAGE_BIT);
+}
+
+bool same(const GpuImageDesc& a, const GpuImageDesc& b) {
+  return a.format == b.format && a.usage == b.usage && a.extent.width == b.extent.width &&
+         a.extent.height == b.extent.height;
+}
+
+void record_barriers(VkCommandBuffer commands, const std::vector<ImageBarrier>& barriers,
+                     const FrameGraph& graph, const std::function<VkImage(ImageRef)>& image_of) {
+  std::vector<VkImageMemoryBarrier2> all;
+  for (const ImageBarrier& barrier : barriers)
+    all.push_back({.sType = VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER_2,
+                   .srcStageMask = barrier.from_stages,
+                   .srcAccessMask = barrier.from_access,
+                   .dstStageMask = barrier.to_stages,
+                   .dstAccessMask = barrier.to_access,
+                   .oldLayout = barrier.from,
+                   .newLayout = barrier.to,
+                   .srcQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED,
+                   .dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED,
+                   .image = image_of(barrier.image),
+                   .subresourceRange = {aspects_of(graph.desc(barrier.image).format), 0, 1, 0, 1}});
+  const VkDependencyInfo info{.sType = VK_STRUCTURE_TYPE_DEPENDENCY_INFO,
+                              .imageMemoryBarrierCount = uint32_t(all.size()),
+                              .pImageMemoryBarriers = all.data()};
+  if (!all.empty()) vkCmdPipelineBarrier2(commands, &info);
+}
+
+}  // namespace
+
+GraphRunner::GraphRunner(Device& device, std::filesystem::path shaders)
+    : device_(device), pipelines_(device, std::move(shaders)), memory_(device) {}
+
+uint32_t GraphRunner::place_for(const FrameGraph::GraphImage& image, const PlannedImage& planned,
+                                uint64_t frame) {
+  GpuImageDesc desc{.name = image.desc.name, .format = image.desc.format, .usage = planned.usage};
+  if (planned.live || !image.key.empty()) desc.extent = image.desc.extent;
+  if (!image.key.empty()) desc.usage |= usage_of_kept(desc.format);
+  uint32_t place = 0;
+  const auto fits = [&](const Place& other) {
+    return other.key == image.key && !other.taken && (!image.key.empty() || same(other.desc, desc));
+  };
+  while (place < pool_.size() && !fits(pool_[place])) ++place;
+  if (place == pool_.size()) {
+    pool_.push_back({});
+    states_.push_back({});
+  }
+  Place& chosen = pool_[place];
+  if (chosen.image == nullptr || !same(chosen.desc, desc)) {
+    states_[place] = {};
+    chosen = {.desc = desc, .key = image.key, .image = std::make_unique<GpuImage>(device_, desc)};
+    if (image.key.starts_with(neutral_prefix)) clear_neutral(place);
+  }
+  chosen.taken = true;
+  chosen.last_frame = frame;
+  return place;
+}
+
+std::vector<uint32_t> GraphRunner::assign(const FrameGraph& graph, const FramePlan& plan) {
+  std::vector<uint32_t> places(plan.images.size(), nowhere);
+  for (size_t pass = 0; pass < plan.passes.size(); ++pass) {
+    for (size_t i = 0; i < places.size(); ++i)
+      if (plan.images[i].needed && plan.images[i].first_pass == pass)
+        places[i] = place_for(graph.images()[i], plan.images[i], graph.frame());
+    for (size_t i = 0; i < places.size(); ++i)
+      if (places[i] != nowhere && plan.images[i].last_pass == pass) pool_[places[i]].taken = false;
+  }
+  return places;
+}
+
+void GraphRunner::clear_neutral(uint32_t place) {
+  const VkImage image = pool_[place].image->image;
+  constexpr VkImageSubresourceRange range{VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1};
+  const auto to_layout = [&](VkImageLayout from, VkImageLayout to) {
+    return VkImageMemoryBarrier2{.sType = VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER_2,
+                                 .srcStageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT,
+                                 .srcAccessMask = VK_ACCESS_2_MEMORY_WRITE_BIT,
+                                 .dstStageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT,
+                                 .dstAccessMask = VK_ACCESS_2_MEMORY_WRITE_BIT | VK_ACCESS_2_MEMORY_READ_BIT,
+                                 .oldLayout = from,
+                                 .newLayout = to,
+                                 .image = image,
+                                 .subresourceRange = range};
+  };
+  device_.run([&](VkCommandBuffer commands) {
+    const VkImageMemoryBarrier2 before =
+        to_layout(VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL);
+    const VkDependencyInfo info{.sType = VK_STRUCTURE_TYPE_DEPENDENCY_INFO,
+                                .imageMemoryBarrierCount = 1,
+                                .pImageMemoryBarriers = &before};
+    vkCmdPipelineBarrier2(commands, &info);
+    const VkClearColorValue zero{};
+    vkCmdClearColorImage(commands, image, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, &zero, 1, &range);
+  });
+  states_[place] = {.layout = VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL,
+                    .written_in = VK_PIPELINE_STAGE_2_CLEAR_BIT,
+                    .write_access = VK_ACCESS_2_TRANSFER_WRITE_BIT};
+}
+
+void GraphRunner::forget_unused(uint64_t frame) {
+  for (Place& place : pool_)
+    if (place.last_frame + frames_until_forgotten < frame && !place.key.starts_with(neutral_prefix)) {
+      kept_.erase(place.key);
+      place = {};
+    }
+}
+
+void GraphRunner::prepare_queries(size_t count) {
+  if (count > query_count_) {
+    const VkQueryPoolCreateInfo info{.sType = VK_STRUCTURE_TYPE_QUERY_POOL_CREATE_INFO,
+                                     .queryType = VK_QUERY_TYPE_TIMESTAMP,
+                                     .queryCount = uint32_t(count)};
+    VkQueryPool made = VK_NULL_HANDLE;
+    check(vkCreateQueryPool(device_.handle(), &info, nullptr, &made), "making a query pool");
+    queries_ = OwnedQueryPool(device_.handle(), made);
+    query_count_ = count;
+  }
+  vkResetQueryPool(device_.handle(), queries_, 0, uint32_t(count));
+}
+
+RunResult GraphRunner::run(const FrameGraph& graph) {
+  FramePlan plan = cull(graph);
+  const std::vector<uint32_t> places = assign(graph, plan);
+  derive_barriers(graph, plan, places, states_);
+  note_kept(graph, plan);
+  prepare_queries(plan.passes.size() + 1);
+  while (readbacks_.size() < graph.readbacks().size()) readbacks_.push_back(nullptr);
+
+  const PassCommands::Context context{*this, graph, plan, places};
+  const auto image_of = [&](ImageRef image) { return VkImage(pool_[places[image.index]].image->image); };
+  device_.run([&](VkCommandBuffer commands) {
+    vkCmdWriteTimestamp2(commands, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, queries_, 0);
+    for (size_t i = 0; i < plan.passes.size(); ++i) {
+      const Pass& pass = graph.passes()[plan.passes[i].pass];
+      record_barriers(commands, plan.passes[i].barriers, graph, image_of);
+      PassCommands pass_commands(context, pass, commands);
+      pass.record(pass_commands);
+      vkCmdWriteTimestamp2(commands, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, queries_, uint32_t(i + 1));
+    }
+  });
+  RunResult result;
+  collect(graph, plan, places, result);
+  memory_.reset();
+  forget_unused(graph.frame());
+  return result;
+}
+
+void GraphRunner::collect(const FrameGraph& graph, const FramePlan& plan, const std::vector<uint32_t>& places,
+                          RunResult& result) {
+  std::vector<uint64_t> ticks(plan.passes.size() + 1);
+  check(vkGetQueryPoolResults(device_.handle(), queries_, 0, uint32_t(ticks.size()), ticks.size() * 8,
+                              ticks.data(), 8, VK_QUERY_RESULT_64_BIT | VK_QUERY_RESULT_WAIT_BIT),
+        "reading times");
+  for (size_t i = 0; i < plan.passes.size(); ++i) {
+    PassTime time{.name = graph.passes()[plan.passes[i].pass].name,
+                  .ms = double(ticks[i + 1] - ticks[i]) * device_.nanoseconds_per_tick() * 1e-6};
+    for (size_t image = 0; image < places.size(); ++image)
+      if (places[image] != nowhere && plan.images[image].first_pass == i)
+        time.image_bytes += pool_[places[image]].image->bytes;
+    result.passes.push_back(std::move(time));
+  }
+  for (const Place& place : pool_)
+    if (place.image != nullptr) result.image_bytes += place.image->bytes;
+  for (size_t i = 0; i < graph.readbacks().size(); ++i) {
+    const auto& [image, aspect] = graph.readbacks()[i];
+    const ImageDesc& desc = graph.desc(image);
+    const size_t size = size_t(desc.extent.width) * desc.extent.height * texel_bytes(desc.format, aspect);
+    const std::byte* bytes = readbacks_[i]->bytes().data();
+    result.readbacks.emplace_back(bytes, bytes + size);
+  }
+}
+
+}  // namespace unghost

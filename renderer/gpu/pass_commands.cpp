@@ -1,0 +1,160 @@
+#include <algorithm>
+#include <cassert>
+
+#include "renderer/gpu/graph_runner.h"
+#include "shaders/shared/workgroup.h"
+
+namespace unghost {
+
+PassCommands::PassCommands(const Context& context, const Pass& pass, VkCommandBuffer commands)
+    : context_(context), pass_(pass), commands_(commands) {}
+
+const GpuImage* PassCommands::placed(ImageRef image) const {
+  const uint32_t place = context_.places[image.index];
+  return place == ~0u ? nullptr : context_.runner.pool_[place].image.get();
+}
+
+VkImage PassCommands::image(ImageRef ref) const { return placed(ref)->image; }
+
+VkPipelineLayout PassCommands::layout(VkDescriptorSetLayout second_set) const {
+  LayoutDesc desc{.second_set = second_set};
+  for (const Binding& binding : pass_.bindings) desc.bindings.emplace_back(binding.slot, binding.type);
+  return context_.runner.pipelines_.layout(desc);
+}
+
+void PassCommands::push_bindings(VkPipelineBindPoint point, VkPipelineLayout layout) {
+  std::vector<VkDescriptorImageInfo> images(pass_.bindings.size());
+  std::vector<VkDescriptorBufferInfo> buffers(pass_.bindings.size());
+  std::vector<VkWriteDescriptorSet> writes;
+  for (size_t i = 0; i < pass_.bindings.size(); ++i) {
+    const Binding& binding = pass_.bindings[i];
+    if (binding.image) {
+      const VkFormat format = context_.graph.desc(binding.image).format;
+      const GpuImage& image = *placed(binding.image);
+      const VkImageView view = binding.use == Use::sampled_stencil ? image.stencil
+                               : is_depth(format)                  ? image.depth
+                                                                   : image.view;
+      images[i] = {VK_NULL_HANDLE, view, facts_of(binding.use, pass_.kind, format).layout};
+    } else {
+      buffers[i] = {binding.buffer.buffer, binding.buffer.offset, binding.buffer.size};
+    }
+    writes.push_back({.sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET,
+                      .dstBinding = binding.slot,
+                      .descriptorCount = 1,
+                      .descriptorType = binding.type,
+                      .pImageInfo = &images[i],
+                      .pBufferInfo = &buffers[i]});
+  }
+  context_.runner.device_.push_descriptors(commands_, point, layout, 0, uint32_t(writes.size()), writes.data());
+}
+
+void PassCommands::dispatch(const ComputePass& pass) {
+  std::vector<uint32_t> constants;
+  for (const Constant& constant : pass.constants)
+    constants.push_back(constant.live ? uint32_t(live(constant.live)) : constant.value);
+  bound_ = layout(VK_NULL_HANDLE);
+  const VkPipeline pipeline = context_.runner.pipelines_.compute(pass.shader, constants, bound_);
+  vkCmdBindPipeline(commands_, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline);
+  push_bindings(VK_PIPELINE_BIND_POINT_COMPUTE, bound_);
+  push(pass.push);
+  vkCmdDispatch(commands_, (pass.cover.width + WORKGROUP_WIDTH - 1) / WORKGROUP_WIDTH,
+                (pass.cover.height + WORKGROUP_HEIGHT - 1) / WORKGROUP_HEIGHT, 1);
+}
+
+void PassCommands::push(std::span<const std::byte> bytes) {
+  assert(bytes.size() <= push_constant_bytes);
+  if (!bytes.empty())
+    vkCmdPushConstants(commands_, bound_, VK_SHADER_STAGE_ALL, 0, uint32_t(bytes.size()), bytes.data());
+}
+
+void PassCommands::read_back(size_t place) {
+  const auto& [image, aspect] = context_.graph.readbacks()[place];
+  const ImageDesc& desc = context_.graph.desc(image);
+  const VkDeviceSize size = VkDeviceSize(desc.extent.width) * desc.extent.height * texel_bytes(desc.format, aspect);
+  auto& buffer = context_.runner.readbacks_[place];
+  if (buffer == nullptr || buffer->size < size)
+    buffer = std::make_unique<GpuBuffer>(context_.runner.device_, size, VK_BUFFER_USAGE_TRANSFER_DST_BIT,
+                                         VK_MEMORY_PROPERTY_HOST_CACHED_BIT);
+  const VkBufferImageCopy copy{.imageSubresource = {aspect, 0, 0, 1},
+                               .imageExtent = {desc.extent.width, desc.extent.height, 1}};
+  vkCmdCopyImageToBuffer(commands_, placed(image)->image, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, buffer->buffer,
+                         1, &copy);
+  const VkMemoryBarrier2 to_host{.sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER_2,
+                                 .srcStageMask = VK_PIPELINE_STAGE_2_COPY_BIT,
+                                 .srcAccessMask = VK_ACCESS_2_TRANSFER_WRITE_BIT,
+                                 .dstStageMask = VK_PIPELINE_STAGE_2_HOST_BIT,
+                                 .dstAccessMask = VK_ACCESS_2_HOST_READ_BIT};
+  const VkDependencyInfo info{.sType = VK_STRUCTURE_TYPE_DEPENDENCY_INFO,
+                              .memoryBarrierCount = 1,
+                              .pMemoryBarriers = &to_host};
+  vkCmdPipelineBarrier2(commands_, &info);
+}
+
+void PassCommands::begin_rendering() {
+  std::vector<VkRenderingAttachmentInfo> colours;
+  VkRenderingAttachmentInfo depth{.sType = VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO};
+  bool stencil = false;
+  VkExtent2D extent{};
+  for (const Attachment& attachment : pass_.attachments) {
+    VkRenderingAttachmentInfo info{.sType = VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO};
+    const GpuImage* image = placed(attachment.image);
+    const ImageDesc& desc = context_.graph.desc(attachment.image);
+    if (image != nullptr) {
+      extent = desc.extent;
+      info.imageView = image->view;
+      info.imageLayout = facts_of(attachment.use, pass_.kind, desc.format).layout;
+      info.loadOp = attachment.clear ? VK_ATTACHMENT_LOAD_OP_CLEAR : VK_ATTACHMENT_LOAD_OP_LOAD;
+      info.storeOp = attachment.use == Use::depth_test ? VK_ATTACHMENT_STORE_OP_NONE : VK_ATTACHMENT_STORE_OP_STORE;
+      if (attachment.clear) info.clearValue = *attachment.clear;
+    }
+    if (is_depth(desc.format)) {
+      depth = info;
+      stencil = has_stencil(desc.format);
+    } else {
+      colours.push_back(info);
+    }
+  }
+  const VkRenderingInfo rendering{.sType = VK_STRUCTURE_TYPE_RENDERING_INFO,
+                                  .renderArea = {{0, 0}, extent},
+                                  .layerCount = 1,
+                                  .colorAttachmentCount = uint32_t(colours.size()),
+                                  .pColorAttachments = colours.data(),
+                                  .pDepthAttachment = &depth,
+                                  .pStencilAttachment = stencil ? &depth : nullptr};
+  vkCmdBeginRendering(commands_, &rendering);
+  const VkViewport viewport{0, 0, float(extent.width), float(extent.height), 0, 1};
+  const VkRect2D scissor{{0, 0}, extent};
+  vkCmdSetViewport(commands_, 0, 1, &viewport);
+  vkCmdSetScissor(commands_, 0, 1, &scissor);
+}
+
+void PassCommands::end_rendering() { vkCmdEndRendering(commands_); }
+
+std::vector<VkFormat> PassCommands::colour_formats() const {
+  std::vector<VkFormat> formats;
+  for (const Attachment& attachment : pass_.attachments) {
+    const VkFormat format = context_.graph.desc(attachment.image).format;
+    if (!is_depth(format)) formats.push_back(placed(attachment.image) != nullptr ? format : VK_FORMAT_UNDEFINED);
+  }
+  return formats;
+}
+
+VkFormat PassCommands::depth_format() const {
+  for (const Attachment& attachment : pass_.attachments)
+    if (const VkFormat format = context_.graph.desc(attachment.image).format; is_depth(format)) return format;
+  return VK_FORMAT_UNDEFINED;
+}
+
+void PassCommands::bind(const GraphicsDesc& desc, VkDescriptorSetLayout second_set) {
+  const VkPipelineLayout wanted = layout(second_set);
+  vkCmdBindPipeline(commands_, VK_PIPELINE_BIND_POINT_GRAPHICS, context_.runner.pipelines_.graphics(desc, wanted));
+  if (bound_ == wanted) return;
+  bound_ = wanted;
+  push_bindings(VK_PIPELINE_BIND_POINT_GRAPHICS, bound_);
+}
+
+void PassCommands::bind_second_set(VkDescriptorSet set) {
+  vkCmdBindDescriptorSets(commands_, VK_PIPELINE_BIND_POINT_GRAPHICS, bound_, 1, 1, &set, 0, nullptr);
+}
+
+}  // namespace unghost

@@ -1,0 +1,55 @@
+// Shaders and pipelines, made when they are first asked for and kept. What a pipeline is made from is its key.
+#pragma once
+
+#include <filesystem>
+#include <map>
+
+#include "renderer/gpu/frame_graph.h"
+
+namespace unghost {
+
+/// What set 0 holds: the push descriptors of a pass. Set 1, where there is one, belongs to whoever draws.
+struct LayoutDesc {
+  std::vector<std::pair<uint32_t, VkDescriptorType>> bindings;
+  VkDescriptorSetLayout second_set = VK_NULL_HANDLE;
+};
+
+struct GraphicsDesc {
+  std::string vertex, fragment;     // shader files; an empty fragment draws depth alone
+  std::vector<uint32_t> constants;  // constant_id 0, 1, ... of both stages
+  std::vector<VkFormat> colours;    // VK_FORMAT_UNDEFINED: this attachment is left out
+  VkFormat depth = VK_FORMAT_UNDEFINED;
+  bool writes_depth = true, writes_stencil = false, blends = false;
+  VkCompareOp compare = VK_COMPARE_OP_GREATER_OR_EQUAL;
+  float depth_bias = 0, depth_bias_slope = 0;
+  VkVertexInputBindingDescription vertex_binding{};
+  std::vector<VkVertexInputAttributeDescription> vertex_attributes;
+};
+
+inline constexpr uint32_t push_constant_bytes = 128;
+
+class Pipelines {
+ public:
+  Pipelines(const Device& device, std::filesystem::path shaders);
+
+  VkPipelineLayout layout(const LayoutDesc& desc);
+  VkPipeline compute(const std::string& shader, const std::vector<uint32_t>& constants, VkPipelineLayout layout);
+  /// Cull mode, front face, viewport, scissor and stencil reference are dynamic.
+  VkPipeline graphics(const GraphicsDesc& desc, VkPipelineLayout layout);
+  size_t count() const { return pipelines_.size(); }
+
+ private:
+  struct Layout {
+    OwnedSetLayout set;
+    OwnedLayout layout;
+  };
+  VkShaderModule module(const std::string& file);
+
+  const Device& device_;
+  std::filesystem::path shaders_;
+  std::map<std::string, OwnedModule> modules_;
+  std::map<std::vector<uint64_t>, Layout> layouts_;
+  std::map<std::string, OwnedPipeline> pipelines_;
+};
+
+}  // namespace unghost

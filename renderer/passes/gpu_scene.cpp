@@ -1,0 +1,84 @@
+#include "renderer/passes/gpu_scene.h"
+
+#include <algorithm>
+#include <tuple>
+
+namespace unghost {
+namespace {
+
+template <class T> GpuBuffer upload(const Device& device, const std::vector<T>& values, VkBufferUsageFlags usage) {
+  GpuBuffer buffer(device, values.size() * sizeof(T), usage);
+  if (!values.empty()) std::memcpy(buffer.bytes().data(), values.data(), values.size() * sizeof(T));
+  return buffer;
+}
+
+uint32_t features_of(const Material& material) {
+  uint32_t features = 0;
+  const auto uses = textures_of(material);
+  for (uint32_t i = 0; i < MATERIAL_TEXTURES; ++i)
+    if (uses[i]->image >= 0) features |= 1u << i;
+  if (material.alpha_mode == AlphaMode::mask) features |= HAS_ALPHA_MASK;
+  if (material.unlit) features |= IS_UNLIT;
+  return features;
+}
+
+bool shines(const Material& material) {
+  return material.unlit || material.emissive != glm::vec3(0) || material.emissive_texture.image >= 0;
+}
+
+std::vector<MaterialData> material_data(const Scene& scene) {
+  std::vector<MaterialData> all;
+  for (const Material& m : scene.materials) {
+    MaterialData data{.base_colour = m.base_colour,
+                      .emissive = m.emissive,
+                      .metalness = m.metalness,
+                      .roughness = m.roughness,
+                      .coat = m.clearcoat,
+                      .coat_roughness = m.clearcoat_roughness,
+                      .normal_scale = m.normal_scale,
+                      .occlusion_strength = m.occlusion_strength,
+                      .alpha_cutoff = m.alpha_cutoff,
+                      .uv_transforms = {},
+                      .uv_sets = 0};
+    const auto uses = textures_of(m);
+    for (uint32_t i = 0; i < MATERIAL_TEXTURES; ++i) {
+      data.uv_transforms[i] = uses[i]->transform;
+      if (uses[i]->uv_set == 1) data.uv_sets |= 1u << i;
+    }
+    all.push_back(data);
+  }
+  return all;
+}
+
+}  // namespace
+
+GpuScene::GpuScene(Device& device, const Scene& scene)
+    : vertices(upload(device, scene.vertices, VK_BUFFER_USAGE_VERTEX_BUFFER_BIT)),
+      indices(upload(device, scene.indices, VK_BUFFER_USAGE_INDEX_BUFFER_BIT)),
+      materials(upload(device, material_data(scene), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT)),
+      textures(device, scene) {
+  for (size_t n = 0; n < scene.nodes.size(); ++n) {
+    const Node& node = scene.nodes[n];
+    if (node.mesh < 0) continue;
+    for (const Primitive& primitive : scene.meshes[size_t(node.mesh)].primitives) {
+      const Material& material = scene.materials[size_t(primitive.material)];
+      draws.push_back({.object = uint32_t(object_nodes.size()),
+                       .first_index = primitive.first_index,
+                       .index_count = primitive.index_count,
+                       .first_vertex = primitive.first_vertex,
+                       .material = uint32_t(primitive.material),
+                       .features = features_of(material),
+                       .tag = node.tag,
+                       .double_sided = material.double_sided,
+                       .blended = material.alpha_mode == AlphaMode::blend,
+                       .bounds = primitive.bounds});
+      traits.tagged |= node.tag != 0;
+      traits.emissive |= shines(material);
+      traits.blended |= draws.back().blended;
+    }
+    object_nodes.push_back(int(n));
+  }
+  std::ranges::stable_sort(draws, {}, [](const Draw& draw) { return std::tuple(draw.features, draw.material); });
+}
+
+}  // namespace unghost

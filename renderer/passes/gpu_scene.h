@@ -1,0 +1,38 @@
+// A scene on the device: vertices, indices, materials, and what is drawn with what.
+#pragma once
+
+#include <vector>
+
+#include "renderer/passes/material_textures.h"
+
+namespace unghost {
+
+/// One primitive of one node.
+struct Draw {
+  uint32_t object = 0;  // index into the objects of a frame
+  uint32_t first_index = 0, index_count = 0, first_vertex = 0;
+  uint32_t material = 0;
+  uint32_t features = 0;  // HAS_ and IS_ bits of frame.h: which pipeline
+  uint8_t tag = 0;
+  bool double_sided = false, blended = false;
+  Bounds bounds;  // object space
+};
+
+/// What the scene has at all, found once when it is loaded: a list that is empty is never looped over.
+struct SceneTraits {
+  bool tagged = false, emissive = false, blended = false;
+};
+
+struct GpuScene {
+  GpuScene(Device& device, const Scene& scene);
+
+  /// Draws of one pipeline and material follow each other.
+  std::vector<Draw> draws;
+  /// The node of each object; as long as the objects of a frame.
+  std::vector<int> object_nodes;
+  SceneTraits traits;
+  GpuBuffer vertices, indices, materials;
+  MaterialTextures textures;
+};
+
+}  // namespace unghost

@@ -1,0 +1,80 @@
+// The frame's vocabulary on one page: every pass is a function from images to images. Only frame.cpp knows their order.
+#pragma once
+
+#include "renderer/frame_input.h"
+#include "renderer/gpu/graph_runner.h"
+#include "renderer/passes/gpu_scene.h"
+
+namespace unghost {
+
+/// What a pass is told of the frame. The same for all passes that share a jitter.
+struct FrameContext {
+  const FrameInput& input;
+  const GpuScene& scene;
+  VkExtent2D size{};
+  BufferSlice constants;        // FrameConstants
+  BufferSlice objects;          // ObjectData of every object
+  BufferSlice lights;           // LightData
+  uint32_t light_count = 0;
+  std::vector<const Draw*> visible;     // to the camera, near ones first
+  std::vector<const Draw*> casters;     // that may throw a shadow into the shadow map's square
+  std::vector<uint8_t> moved;           // by object: whether it is elsewhere than last frame
+  std::vector<uint8_t> mirrored;        // by object: whether its triangles are turned inside out
+  bool anything_moved = false;
+  uint32_t shadow_texels = 0;           // along a side of the map
+  uint64_t shadow_version = 0;          // changes with whatever the shadows of what rests depend on
+  std::vector<uint8_t> policy_changed;  // by mode: its history is of another policy
+};
+
+/// What nobody reads of these is not drawn.
+struct GBuffer {
+  ImageRef albedo;     // RGBA8, square root of the albedo; a: ambient occlusion
+  ImageRef normal;     // RG16 SNORM, octahedral, world axes
+  ImageRef material;   // RGBA8: roughness (0: unlit), metalness, coat, coat roughness
+  ImageRef emissive;   // B10G11R11, linear
+  ImageRef depth;      // D32 S8: reversed depth; the tag
+  ImageRef object_motion;  // RGBA32F: motion in pixels, last frame's depth, 1 where given
+  ImageRef object;     // R32UI: node index + 1
+};
+
+struct Motion {
+  ImageRef motion_px;       // RG32F
+  ImageRef previous_depth;  // R32F, metres
+};
+
+struct Lit {
+  ImageRef colour;      // RGBA16F, linear
+  ImageRef visibility;  // R8: how much of the sun is seen
+};
+
+struct Resolved {
+  ImageRef colour;  // RGBA16F, linear
+  ImageRef why;     // RGBA8: weight of the current frame, rectified, tag rejected, near and moving
+};
+
+struct TaaInputs {
+  ImageRef colour;
+  GBuffer gbuffer;
+  Motion motion;
+};
+
+ImageRef draw_shadow_map(FrameGraph& graph, const FrameContext& in);
+GBuffer draw_gbuffer(FrameGraph& graph, const FrameContext& in);
+Motion resolve_motion(FrameGraph& graph, const FrameContext& in, const GBuffer& gbuffer);
+Lit light(FrameGraph& graph, const FrameContext& in, const GBuffer& gbuffer, ImageRef shadow_map);
+/// The history is the run's own: it belongs to `place` in the list of modes.
+Resolved resolve_taa(FrameGraph& graph, const FrameContext& in, const TaaInputs& inputs, size_t place);
+/// sRGB, RGBA8.
+ImageRef tonemap(FrameGraph& graph, const FrameContext& in, ImageRef colour);
+
+struct ViewInputs {
+  ImageRef picture;
+  GBuffer gbuffer;
+  Motion motion;
+  Lit lit;
+  Resolved resolved;
+};
+/// Draws the view that is set over the picture; returns the picture where that is the colour itself.
+ImageRef draw_view(FrameGraph& graph, const FrameContext& in, const ViewInputs& inputs);
+
+}  // namespace unghost

@@ -1,0 +1,53 @@
+#include "renderer/passes/draws.h"
+
+namespace unghost {
+namespace {
+
+constexpr VkFormat shadow_format = VK_FORMAT_D32_SFLOAT;
+constexpr VkClearValue far_away{.depthStencil = {1, 0}};
+
+std::vector<const Draw*> only(const FrameContext& in, bool moved) {
+  std::vector<const Draw*> draws;
+  for (const Draw* draw : in.casters)
+    if ((in.moved[draw->object] != 0) == moved) draws.push_back(draw);
+  return draws;
+}
+
+void draw_casters(FrameGraph& graph, const FrameContext& in, const char* name, bool moved, Attachment target) {
+  target.use = Use::depth_attachment;
+  graph.pass({.name = name,
+              .kind = PassKind::raster,
+              .bindings = draw_bindings(in),
+              .attachments = {target},
+              .record = [&in, moved](PassCommands& commands) {
+                commands.begin_rendering();
+                record_draws(commands, in, only(in, moved),
+                             {.vertex = "shadow.vert", .fragment = "shadow.frag", .shadow = true});
+                commands.end_rendering();
+              }});
+}
+
+}  // namespace
+
+ImageRef draw_shadow_map(FrameGraph& graph, const FrameContext& in) {
+  const VkExtent2D side{in.shadow_texels, in.shadow_texels};
+  const Cache rests =
+      graph.cache("shadows of what rests", {.format = shadow_format, .extent = side}, in.shadow_version);
+  if (!rests.valid) draw_casters(graph, in, "shadows of what rests", false, {rests.image, far_away});
+  if (!in.anything_moved) return rests.image;
+
+  const ImageRef all = graph.image({.name = "shadows", .format = shadow_format, .extent = side});
+  graph.pass({.name = "copy shadows",
+              .kind = PassKind::transfer,
+              .transfers = {{rests.image, Use::transfer_source}, {all, Use::transfer_destination}},
+              .record = [rests = rests.image, all, side](PassCommands& commands) {
+                constexpr VkImageSubresourceLayers depth{VK_IMAGE_ASPECT_DEPTH_BIT, 0, 0, 1};
+                const VkImageCopy copy{depth, {}, depth, {}, {side.width, side.height, 1}};
+                vkCmdCopyImage(commands.commands(), commands.image(rests), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL,
+                               commands.image(all), VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &copy);
+              }});
+  draw_casters(graph, in, "shadows of what moves", true, {all, {}});
+  return all;
+}
+
+}  // namespace unghost

@@ -1,0 +1,32 @@
+// What drawing geometry reads: the objects, the materials and their textures.
+#ifndef UNGHOST_DRAW_GLSL
+#define UNGHOST_DRAW_GLSL
+
+#include "frame.glsl"
+
+layout(constant_id = 0) const uint features = 0;
+layout(constant_id = 1) const bool moved = false;
+
+layout(set = 0, binding = DRAW_OBJECTS, scalar) readonly buffer Objects { ObjectData objects[]; };
+layout(set = 0, binding = DRAW_MATERIALS, scalar) readonly buffer Materials { MaterialData materials[]; };
+layout(push_constant, scalar) uniform Push { uint material_index; };
+
+#ifdef UNGHOST_FRAGMENT
+layout(set = 1, binding = 0) uniform sampler2D base_colour_map;
+layout(set = 1, binding = 1) uniform sampler2D metallic_roughness_map;
+layout(set = 1, binding = 2) uniform sampler2D normal_map;
+layout(set = 1, binding = 3) uniform sampler2D occlusion_map;
+layout(set = 1, binding = 4) uniform sampler2D emissive_map;
+layout(set = 1, binding = 5) uniform sampler2D coat_map;
+layout(set = 1, binding = 6) uniform sampler2D coat_roughness_map;
+
+bool has(uint feature) { return (features & feature) != 0; }
+
+/// Texture coordinates of texture i (the order of the HAS_ bits).
+vec2 uv_of(uint i, vec2 uv0, vec2 uv1) {
+  vec2 uv = (materials[material_index].uv_sets >> i & 1) != 0 ? uv1 : uv0;
+  return materials[material_index].uv_transforms[i] * vec3(uv, 1);
+}
+#endif
+
+#endif

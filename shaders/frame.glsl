@@ -1,0 +1,37 @@
+// What every pass begins with: the frame's constants and the conventions of shared/frame.h as functions.
+#ifndef UNGHOST_FRAME_GLSL
+#define UNGHOST_FRAME_GLSL
+
+#extension GL_EXT_scalar_block_layout : require
+#extension GL_EXT_samplerless_texture_functions : require
+#include "shared/frame.h"
+#include "shared/bindings.h"
+
+layout(set = 0, binding = FRAME_BINDING, scalar) uniform Frame { FrameConstants frame; };
+
+/// From the camera through the middle of a pixel, as it was drawn (with jitter), to 1 m along the view axis.
+vec3 view_ray(vec2 pixel) {
+  vec2 ndc = (pixel - frame.jitter_px) * frame.inverse_size_px * 2 - 1;
+  return vec3(ndc.x * frame.tangent.x, -ndc.y * frame.tangent.y, -1);
+}
+
+/// Metres along the view axis; infinite for the sky.
+float linear_depth(float depth) { return frame.near_plane / depth; }
+
+/// Octahedral: a direction as two numbers in [-1, 1].
+vec2 octahedral_from_direction(vec3 d) {
+  d /= abs(d.x) + abs(d.y) + abs(d.z);
+  vec2 folded = (1 - abs(d.yx)) * vec2(d.x >= 0 ? 1 : -1, d.y >= 0 ? 1 : -1);
+  return d.z >= 0 ? d.xy : folded;
+}
+
+vec3 direction_from_octahedral(vec2 o) {
+  vec3 d = vec3(o, 1 - abs(o.x) - abs(o.y));
+  float under = max(-d.z, 0);
+  d.xy += vec2(d.x >= 0 ? -under : under, d.y >= 0 ? -under : under);
+  return normalize(d);
+}
+
+float luminance(vec3 colour) { return dot(colour, vec3(0.2126, 0.7152, 0.0722)); }
+
+#endif

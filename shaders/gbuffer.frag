@@ -1,0 +1,82 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#define UNGHOST_FRAGMENT
+#include "draw.glsl"
+
+layout(location = 0) in vec3 in_normal;
+layout(location = 1) in vec4 in_tangent;
+layout(location = 2) in vec4 in_uv;
+layout(location = 3) in vec4 in_colour;
+layout(location = 4) in vec3 in_previous_eye;
+layout(location = 5) flat in uint in_id;
+
+layout(location = 0) out vec4 out_albedo;
+layout(location = 1) out vec2 out_normal;
+layout(location = 2) out vec4 out_material;
+#ifdef WRITES_EMISSIVE
+layout(location = 3) out vec3 out_emissive;
+#endif
+#ifdef WRITES_MOTION
+layout(location = 4) out vec4 out_motion;
+#endif
+#ifdef WRITES_OBJECT
+layout(location = 5) out uint out_id;
+#endif
+
+// A mirror would need rays; and roughness 0 is taken: it marks a surface that light does not change.
+const float least_roughness = 0.03;
+
+vec3 shading_normal(MaterialData m) {
+  vec3 n = normalize(gl_FrontFacing ? in_normal : -in_normal);
+  if (!has(HAS_NORMAL)) return n;
+  vec3 t = in_tangent.xyz - n * dot(in_tangent.xyz, n);
+  float length2 = dot(t, t);
+  if (length2 < 1e-12) return n;
+  t *= inversesqrt(length2);
+  vec3 b = cross(n, t) * in_tangent.w;
+  vec3 mapped = texture(normal_map, uv_of(2, in_uv.xy, in_uv.zw)).xyz * 2 - 1;
+  mapped.xy *= m.normal_scale;
+  return normalize(t * mapped.x + b * mapped.y + n * max(mapped.z, 1e-3));
+}
+
+/// Motion in pixels and last frame's depth.
+vec3 motion_of_object() {
+  vec4 before = frame.previous_clip_from_eye * vec4(in_previous_eye, 1);
+  if (before.w <= 0) return vec3(MOTION_UNKNOWN, MOTION_UNKNOWN, 0);
+  vec2 pixel_before = (before.xy / before.w * 0.5 + 0.5) * frame.size_px;
+  return vec3(pixel_before - (gl_FragCoord.xy - frame.jitter_px), before.w);
+}
+
+void main() {
+  MaterialData m = materials[material_index];
+  vec4 base = m.base_colour * in_colour;
+  if (has(HAS_BASE_COLOUR)) base *= texture(base_colour_map, uv_of(0, in_uv.xy, in_uv.zw));
+  if (has(HAS_ALPHA_MASK) && base.a < m.alpha_cutoff) discard;
+
+  vec2 roughness_metalness = vec2(m.roughness, m.metalness);
+  if (has(HAS_METALLIC_ROUGHNESS))
+    roughness_metalness *= texture(metallic_roughness_map, uv_of(1, in_uv.xy, in_uv.zw)).gb;
+  float occlusion = 1;
+  if (has(HAS_OCCLUSION))
+    occlusion += m.occlusion_strength * (texture(occlusion_map, uv_of(3, in_uv.xy, in_uv.zw)).r - 1);
+  vec2 coat = vec2(m.coat, m.coat_roughness);
+  if (has(HAS_COAT)) coat.x *= texture(coat_map, uv_of(5, in_uv.xy, in_uv.zw)).r;
+  if (has(HAS_COAT_ROUGHNESS)) coat.y *= texture(coat_roughness_map, uv_of(6, in_uv.xy, in_uv.zw)).g;
+
+  out_albedo = vec4(sqrt(base.rgb), occlusion);
+  out_normal = octahedral_from_direction(shading_normal(m));
+  out_material = vec4(max(roughness_metalness.x, least_roughness), roughness_metalness.y, coat.x,
+                      max(coat.y, least_roughness));
+  if (has(IS_UNLIT)) out_material.x = 0;
+#ifdef WRITES_EMISSIVE
+  vec3 emissive = m.emissive;
+  if (has(HAS_EMISSIVE)) emissive *= texture(emissive_map, uv_of(4, in_uv.xy, in_uv.zw)).rgb;
+  out_emissive = has(IS_UNLIT) ? base.rgb : emissive;
+#endif
+#ifdef WRITES_MOTION
+  out_motion = moved ? vec4(motion_of_object(), 1) : vec4(0);
+#endif
+#ifdef WRITES_OBJECT
+  out_id = in_id;
+#endif
+}

@@ -1,0 +1,27 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "draw.glsl"
+
+layout(location = 0) in vec3 position;
+layout(location = 1) in vec3 normal;
+layout(location = 2) in vec4 tangent;
+layout(location = 3) in vec2 uv0;
+layout(location = 4) in vec2 uv1;
+layout(location = 5) in vec4 colour;
+
+layout(location = 0) out vec3 out_normal;
+layout(location = 1) out vec4 out_tangent;
+layout(location = 2) out vec4 out_uv;
+layout(location = 3) out vec4 out_colour;
+layout(location = 4) out vec3 out_previous_eye;
+layout(location = 5) flat out uint out_id;
+
+void main() {
+  gl_Position = frame.clip_from_eye * vec4(objects[gl_InstanceIndex].eye_from_object * vec4(position, 1), 1);
+  out_normal = objects[gl_InstanceIndex].normal_from_object * normal;
+  out_tangent = vec4(mat3(objects[gl_InstanceIndex].eye_from_object) * tangent.xyz, tangent.w);
+  out_uv = vec4(uv0, uv1);
+  out_colour = colour;
+  out_previous_eye = moved ? objects[gl_InstanceIndex].previous_eye_from_object * vec4(position, 1) : vec3(0);
+  out_id = objects[gl_InstanceIndex].id;
+}

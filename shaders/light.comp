@@ -1,0 +1,100 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "frame.glsl"
+#include "fullscreen.glsl"
+#include "brdf.glsl"
+#include "sky.glsl"
+
+layout(constant_id = 0) const bool has_emissive = false;
+layout(constant_id = 1) const uint light_count = 0;
+layout(constant_id = 2) const bool keeps_visibility = false;
+
+layout(set = 0, binding = LIGHT_ALBEDO) uniform texture2D albedo_map;
+layout(set = 0, binding = LIGHT_NORMAL) uniform texture2D normal_map;
+layout(set = 0, binding = LIGHT_MATERIAL) uniform texture2D material_map;
+layout(set = 0, binding = LIGHT_EMISSIVE) uniform texture2D emissive_map;
+layout(set = 0, binding = LIGHT_DEPTH) uniform texture2D depth_map;
+layout(set = 0, binding = LIGHT_SHADOW_MAP) uniform texture2D shadow_map;
+layout(set = 0, binding = LIGHT_LIGHTS, scalar) readonly buffer Lights { LightData lights[]; };
+layout(set = 0, binding = LIGHT_OUT, rgba16f) uniform writeonly image2D lit_out;
+layout(set = 0, binding = LIGHT_VISIBILITY_OUT, r8) uniform writeonly image2D visibility_out;
+
+const float brightest = 60000;  // what a half float holds, and a little less
+
+/// How much of the sun is seen: 16 comparisons, weighted as a bilinear 3x3 filter of shadow texels.
+float sun_visibility(vec3 position_eye, vec3 normal) {
+  vec4 at = frame.shadow_from_eye * vec4(position_eye, 1);
+  vec2 edge = abs(at.xy - 0.5) * 2;
+  float inside = 1 - smoothstep(0.9, 1.0, max(edge.x, edge.y));
+  if (inside <= 0 || at.z >= 1) return 1;
+  vec2 texel = at.xy * frame.shadow_texels - 0.5;
+  ivec2 corner = ivec2(floor(texel)) - 1;
+  vec2 f = fract(texel);
+  vec4 across = vec4(1 - f.x, 1, 1, f.x), down = vec4(1 - f.y, 1, 1, f.y);
+  ivec2 last = ivec2(int(frame.shadow_texels) - 1);
+  float seen = 0;
+  for (int y = 0; y < 4; ++y) {
+    vec4 row;
+    for (int x = 0; x < 4; ++x)
+      row[x] = texelFetch(shadow_map, clamp(corner + ivec2(x, y), ivec2(0), last), 0).r >= at.z ? 1.0 : 0.0;
+    seen += dot(row, across) * down[y];
+  }
+  return mix(1, seen / 9, inside);
+}
+
+vec3 from_environment(Surface s, vec3 to_eye) {
+  float n_v = clamp(dot(s.normal, to_eye), 1e-3, 1);
+  vec3 f0 = mix(vec3(0.04), s.albedo, s.metalness);
+  vec3 diffuse = s.albedo * (1 - s.metalness) * sky_radiance(s.normal, 1);
+  vec3 r = reflect(-to_eye, s.normal);
+  // what is occluded for diffuse light is so for reflections, too, the more the rougher they are
+  vec3 specular = sky_radiance(r, s.roughness) * environment_share(f0, s.roughness, n_v);
+  vec3 base = diffuse + specular;
+  if (s.coat > 0) {
+    float fresnel = (0.04 + 0.96 * fresnel_weight(n_v)) * s.coat;
+    base = base * (1 - fresnel) + sky_radiance(r, s.coat_roughness) * fresnel;
+  }
+  return base * s.occlusion;
+}
+
+vec3 from_lamps(Surface s, vec3 position_eye, vec3 to_eye) {
+  vec3 sum = vec3(0);
+  for (uint i = 0; i < light_count; ++i) {
+    LightData lamp = lights[i];
+    vec3 to_lamp = lamp.directional != 0 ? -lamp.direction_eye : lamp.position_eye - position_eye;
+    float distance2 = max(dot(to_lamp, to_lamp), 1e-4);
+    vec3 l = to_lamp * inversesqrt(distance2);
+    float share = clamp(dot(lamp.direction_eye, -l) * lamp.spot_scale + lamp.spot_offset, 0, 1);
+    float range = clamp(1 - pow(distance2 * lamp.inverse_range_squared, 2), 0, 1);
+    float falloff = lamp.directional != 0 ? 1 : share * share * range * range / distance2;
+    sum += lamp.intensity * falloff * reflect_light(s, to_eye, l);
+  }
+  return sum;
+}
+
+void main() {
+  pixel_or_return(pixel);
+  float depth = texelFetch(depth_map, pixel, 0).r;
+  vec3 ray = frame.eye_from_view * view_ray(vec2(pixel) + 0.5);
+  vec3 colour;
+  float visibility = 1;
+  vec4 material = texelFetch(material_map, pixel, 0);
+  if (depth <= 0) {
+    colour = visible_sky(normalize(ray));
+  } else if (material.x == 0) {
+    colour = texelFetch(emissive_map, pixel, 0).rgb;
+  } else {
+    vec4 albedo = texelFetch(albedo_map, pixel, 0);
+    vec3 normal = direction_from_octahedral(texelFetch(normal_map, pixel, 0).xy);
+    Surface s = Surface(albedo.rgb * albedo.rgb, albedo.a, normal, material.x, material.y, material.z, material.w);
+    vec3 position_eye = ray * linear_depth(depth);
+    vec3 to_eye = normalize(-ray);
+    visibility = dot(normal, frame.towards_sun) > 0 ? sun_visibility(position_eye, normal) : 0;
+    colour = from_environment(s, to_eye) + from_lamps(s, position_eye, to_eye);
+    if (visibility > 0)
+      colour += reflect_light(s, to_eye, frame.towards_sun) * frame.sun_illuminance * visibility;
+    if (has_emissive) colour += texelFetch(emissive_map, pixel, 0).rgb;
+  }
+  imageStore(lit_out, pixel, vec4(min(colour, vec3(brightest)), 1));
+  if (keeps_visibility) imageStore(visibility_out, pixel, vec4(visibility));
+}

@@ -1,0 +1,37 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "frame.glsl"
+#include "fullscreen.glsl"
+
+layout(constant_id = 0) const bool objects_moved = false;
+layout(constant_id = 1) const bool keeps_depth = false;
+
+layout(set = 0, binding = MOTION_DEPTH) uniform texture2D depth_map;
+layout(set = 0, binding = MOTION_OF_OBJECTS) uniform texture2D object_motion;
+layout(set = 0, binding = MOTION_OUT, rg32f) uniform writeonly image2D motion_out;
+layout(set = 0, binding = MOTION_PREVIOUS_DEPTH_OUT, r32f) uniform writeonly image2D previous_depth_out;
+
+/// Motion of what rests, in pixels, and where it was along last frame's view axis. Written as differences from this
+/// frame, so that a camera at rest gives exactly 0.
+vec3 motion_of_world(vec2 pixel, float depth) {
+  vec3 ray = view_ray(pixel);
+  float inverse_distance = depth / frame.near_plane;  // 0 for the sky: it turns, and does not shift
+  vec3 change = frame.reprojection_turn * ray + frame.reprojection_shift * inverse_distance;
+  float along = 1 - change.z;
+  if (along <= 0) return vec3(MOTION_UNKNOWN, MOTION_UNKNOWN, 0);
+  vec2 shift = (change.xy + ray.xy * change.z) / frame.tangent + frame.previous_over_tangent * (ray.xy + change.xy);
+  vec2 ndc = shift / along;
+  return vec3(vec2(ndc.x, -ndc.y) * 0.5 * frame.size_px, along / inverse_distance);
+}
+
+void main() {
+  pixel_or_return(pixel);
+  float depth = texelFetch(depth_map, pixel, 0).r;
+  vec3 motion = motion_of_world(vec2(pixel) + 0.5, depth);
+  if (objects_moved) {
+    vec4 of_object = texelFetch(object_motion, pixel, 0);
+    if (of_object.w > 0) motion = of_object.xyz;
+  }
+  imageStore(motion_out, pixel, vec4(motion.xy, 0, 0));
+  if (keeps_depth) imageStore(previous_depth_out, pixel, vec4(motion.z, 0, 0, 0));
+}

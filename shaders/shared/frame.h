@@ -1,0 +1,88 @@
+// What every pass is told of the frame, and the conventions of the whole program:
+// - world: right-handed, y up, metres. `_eye` is world axes with the origin at this frame's camera, so that numbers
+//   stay small however far from the world's origin the camera is; `_view` turns them so that the camera looks along -z.
+// - depth: reversed, near / distance along the view axis, 1 at the near plane, 0 at infinity.
+// - pixels: x right, y down, centres at .5. Motion is in pixels, from this frame's pixel to where it was last frame
+//   (previous minus current), without either frame's jitter.
+// - jitter: what lies at x without jitter lies at x + jitter_px in this frame's picture.
+// - colours: linear, until the tone map makes sRGB of them.
+#ifndef UNGHOST_SHARED_FRAME_H
+#define UNGHOST_SHARED_FRAME_H
+
+#include "language.h"
+
+SHARED_BEGIN
+
+/// Binding of FrameConstants in set 0 of every pass.
+SHARED_CONSTANT FRAME_BINDING = 0;
+/// Motion of what was behind last frame's camera or somewhere unknown: far outside of every picture.
+#define MOTION_UNKNOWN 1e9
+
+struct FrameConstants {
+  mat4 clip_from_eye;           // with jitter
+  mat4 previous_clip_from_eye;  // last frame's, from its own `_eye`, without jitter
+  mat4 shadow_from_eye;         // to the shadow map: xy 0 to 1, z 0 (near the sun) to 1
+  mat3 eye_from_view;
+  mat3 reprojection_turn;       // last frame's view from this frame's view, minus the identity
+  vec3 reprojection_shift;      // of the view's origin, in last frame's view
+  vec3 towards_sun;
+  vec3 sun_illuminance;         // of a surface that faces the sun
+  vec3 sky_zenith, sky_horizon, ground;
+  vec2 size_px, inverse_size_px;
+  vec2 jitter_px;
+  vec2 tangent;                 // of half the field of view, across and down
+  vec2 previous_over_tangent;   // last frame's 1 / tangent minus this frame's
+  float near_plane;
+  float exposure;
+  float shadow_texels;          // along a side of the shadow map
+};
+
+struct DrawPush {
+  uint first_object;
+  uint material;
+};
+
+struct ObjectData {
+  mat4x3 eye_from_object;
+  mat4x3 previous_eye_from_object;
+  mat3 normal_from_object;
+  uint id;  // node index + 1
+};
+
+/// Which textures a material has: a specialization constant of the G-buffer.
+SHARED_CONSTANT HAS_BASE_COLOUR = 1;
+SHARED_CONSTANT HAS_METALLIC_ROUGHNESS = 2;
+SHARED_CONSTANT HAS_NORMAL = 4;
+SHARED_CONSTANT HAS_OCCLUSION = 8;
+SHARED_CONSTANT HAS_EMISSIVE = 16;
+SHARED_CONSTANT HAS_COAT = 32;
+SHARED_CONSTANT HAS_COAT_ROUGHNESS = 64;
+SHARED_CONSTANT MATERIAL_TEXTURES = 7;
+SHARED_CONSTANT HAS_ALPHA_MASK = 128;
+SHARED_CONSTANT IS_UNLIT = 256;
+
+struct MaterialData {
+  vec4 base_colour;
+  vec3 emissive;
+  float metalness, roughness;
+  float coat, coat_roughness;
+  float normal_scale, occlusion_strength;
+  float alpha_cutoff;
+  mat3x2 uv_transforms[7];
+  uint uv_sets;  // bit i: texture i reads uv1
+};
+
+/// KHR_lights_punctual, in this frame's eye space.
+struct LightData {
+  vec3 position_eye;
+  float inverse_range_squared;  // 0: infinite
+  vec3 intensity;
+  float spot_scale;             // attenuation = saturate(cos * scale + offset)^2; 0 and 1: not a spot
+  vec3 direction_eye;           // towards which it shines
+  float spot_offset;
+  uint directional;
+};
+
+SHARED_END
+
+#endif

@@ -1,0 +1,41 @@
+// An analytic sky that a surface of any roughness can ask: the rougher, the wider its gradients.
+#ifndef UNGHOST_SKY_GLSL
+#define UNGHOST_SKY_GLSL
+
+#include "frame.glsl"
+
+/// Radiance from direction d (world axes, length 1), averaged over a lobe of that roughness. No sun disc.
+vec3 sky_radiance(vec3 d, float roughness) {
+  float blur = 0.015 + roughness * 0.9;
+  float up = clamp(d.y, 0, 1);
+  float to_zenith = pow(mix(up, 0.5 + 0.5 * d.y, roughness * 0.6), 0.55);
+  vec3 sky = mix(frame.sky_horizon, frame.sky_zenith, to_zenith);
+  float towards = max(dot(d, frame.towards_sun), 0);
+  float width = mix(24.0, 2.0, sqrt(roughness));
+  sky += frame.sky_horizon * vec3(1.0, 0.85, 0.6) * (0.55 * pow(towards, width) * mix(1.0, 0.35, roughness));
+  return mix(frame.ground, sky, smoothstep(-blur, blur, d.y));
+}
+
+float value_noise(vec2 p) {
+  vec2 cell = floor(p), at = p - cell;
+  at = at * at * (3 - 2 * at);
+  vec4 corners = vec4(dot(cell, vec2(127.1, 311.7)));
+  corners += vec4(0, 127.1, 311.7, 438.8);
+  corners = fract(sin(corners) * 43758.5453);
+  return mix(mix(corners.x, corners.y, at.x), mix(corners.z, corners.w, at.x), at.y);
+}
+
+/// What the camera sees where nothing stands: the sky, thin clouds, the sun's disc.
+vec3 visible_sky(vec3 d) {
+  vec3 sky = sky_radiance(d, 0);
+  if (d.y > 0.02) {
+    vec2 at = d.xz / (d.y + 0.12) * 1.3;
+    float cloud = value_noise(at) * 0.55 + value_noise(at * 2.7 + 5.1) * 0.3 + value_noise(at * 6.3 + 1.7) * 0.15;
+    cloud = smoothstep(0.48, 0.85, cloud) * smoothstep(0.02, 0.2, d.y) * 0.75;
+    sky = mix(sky, frame.sky_horizon * 1.25, cloud);
+  }
+  const float cos_disc = 0.99994, disc_radiance = 60;
+  return dot(d, frame.towards_sun) > cos_disc ? frame.sun_illuminance * disc_radiance : sky;
+}
+
+#endif

@@ -1,0 +1,86 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "frame.glsl"
+#include "fullscreen.glsl"
+#include "shared/views.h"
+
+layout(constant_id = 0) const uint view = 0;
+
+layout(set = 0, binding = VIEW_PICTURE) uniform texture2D picture_map;
+layout(set = 0, binding = VIEW_ALBEDO) uniform texture2D albedo_map;
+layout(set = 0, binding = VIEW_NORMAL) uniform texture2D normal_map;
+layout(set = 0, binding = VIEW_DEPTH) uniform texture2D depth_map;
+layout(set = 0, binding = VIEW_MOTION) uniform texture2D motion_map;
+layout(set = 0, binding = VIEW_TAG) uniform utexture2D tag_map;
+layout(set = 0, binding = VIEW_VISIBILITY) uniform texture2D visibility_map;
+layout(set = 0, binding = VIEW_WHY) uniform texture2D why_map;
+layout(set = 0, binding = VIEW_OUT, rgba8) uniform writeonly image2D view_out;
+
+const vec3 red = vec3(0.92, 0.05, 0.03);
+
+vec3 hue(float turn) { return clamp(abs(fract(turn + vec3(0, 2, 1) / 3.0) * 6 - 3) - 1, 0, 1); }
+
+/// Hue says where to, strength how far: full at 32 px a frame, and still to be seen at a tenth of a pixel.
+vec3 motion_colour(vec2 motion) {
+  float far = length(motion);
+  float strength = clamp(log2(1 + far * 8) / log2(1 + 32.0 * 8), 0, 1);
+  return mix(vec3(0.5), hue(atan(motion.y, motion.x) / 6.2831853), strength);
+}
+
+/// Whether the pixel lies on the arrow of its cell of a grid; arrows point to where things move, not to where they were.
+bool on_arrow(vec2 pixel) {
+  const float cell = 32;
+  vec2 middle = (floor(pixel / cell) + 0.5) * cell;
+  ivec2 source = clamp(ivec2(middle), ivec2(0), ivec2(frame.size_px) - 1);
+  vec2 going = -texelFetch(motion_map, source, 0).xy;
+  float far = length(going);
+  if (far < 0.05 || far > 1e6) return distance(pixel, middle) < 1;
+  vec2 along = going / far;
+  float half_length = clamp(far * 0.5, 3, cell * 0.45);
+  vec2 at = pixel - middle;
+  float s = dot(at, along), side = abs(dot(at, vec2(-along.y, along.x)));
+  bool shaft = abs(s) <= half_length && side < 0.75;
+  bool head = s <= half_length && s > half_length - 5 && side < (half_length - s) * 0.6 + 0.5;
+  return shaft || head;
+}
+
+vec3 draw(ivec2 pixel) {
+  vec3 picture = texelFetch(picture_map, min(pixel, textureSize(picture_map, 0) - 1), 0).rgb;
+  vec3 grey = vec3(luminance(picture)) * 0.6;
+  switch (view) {
+  case view_albedo: {
+    vec3 root = texelFetch(albedo_map, pixel, 0).rgb;  // the root of linear light is nearly sRGB
+    return texelFetch(depth_map, pixel, 0).r > 0 ? root : vec3(0);
+  }
+  case view_normal:
+    return texelFetch(depth_map, pixel, 0).r > 0
+               ? direction_from_octahedral(texelFetch(normal_map, pixel, 0).xy) * 0.5 + 0.5
+               : vec3(0);
+  case view_depth: {
+    float far = linear_depth(texelFetch(depth_map, pixel, 0).r);
+    return vec3(clamp(1 - log2(max(far, 0.5) / 0.5) / log2(400.0), 0, 1));
+  }
+  case view_motion: {
+    vec2 motion = texelFetch(motion_map, pixel, 0).xy;
+    vec3 colour = mix(motion_colour(motion), picture, 0.25);
+    return on_arrow(vec2(pixel) + 0.5) ? vec3(1) : colour;
+  }
+  case view_tag: {
+    uint tag = texelFetch(tag_map, min(pixel, textureSize(tag_map, 0) - 1), 0).r;
+    return tag == 0 ? grey : mix(picture, hue(float(tag) * 0.381966), 0.7);
+  }
+  case view_shadow: return vec3(texelFetch(visibility_map, pixel, 0).r);
+  case view_weight: return vec3(texelFetch(why_map, min(pixel, textureSize(why_map, 0) - 1), 0).r);
+  default: {
+    vec4 why = texelFetch(why_map, min(pixel, textureSize(why_map, 0) - 1), 0);
+    bool marked = (view == view_rectified && why.g > 0.5) || (view == view_tag_rejected && why.b > 0.5) ||
+                  (view == view_near_moving && why.a > 0.5);
+    return marked ? mix(picture, red, 0.75) : picture;
+  }
+  }
+}
+
+void main() {
+  pixel_or_return(pixel);
+  imageStore(view_out, pixel, vec4(draw(pixel), 1));
+}

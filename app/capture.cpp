@@ -17,12 +17,15 @@
 namespace unghost {
 namespace {
 
-constexpr Output buffers_of_a_frame[] = {Output::lit, Output::depth, Output::motion, Output::tag, Output::resolved};
+constexpr Output buffers_of_a_frame[] = {Output::lit, Output::depth, Output::motion, Output::tag,
+                                         Output::resolved};
 
 void check_words(const CommandLine& line, const Shot& shot) {
   const bool folders = !line.sequence.empty() || !line.buffers.empty();
-  if (line.output.empty() && !folders) throw WrongWords("capture wants -o FILE, --sequence DIR or --buffers DIR");
-  if (line.from && !folders) throw WrongWords("--from says where --sequence or --buffers begin, and neither is given");
+  if (line.output.empty() && !folders)
+    throw WrongWords("capture wants -o FILE, --sequence DIR or --buffers DIR");
+  if (line.from && !folders)
+    throw WrongWords("--from says where --sequence or --buffers begin, and neither is given");
   if (line.from && *line.from >= shot.frames)
     throw WrongWords("--from " + std::to_string(*line.from) + " is beyond the last of " +
                      std::to_string(shot.frames) + " frames");
@@ -33,7 +36,7 @@ void check_words(const CommandLine& line, const Shot& shot) {
 void prepare_folder(const std::filesystem::path& folder) {
   if (folder.empty()) return;
   make_folder(folder);
-  const NewFile probe(folder / "00000.png");  // is gone again at once
+  const NewFile probe(folder / "00000.png"); // is gone again at once
 }
 
 std::filesystem::path frame_file(const std::filesystem::path& folder, uint32_t frame, const char* ending) {
@@ -43,12 +46,18 @@ std::filesystem::path frame_file(const std::filesystem::path& folder, uint32_t f
 }
 
 std::vector<uint8_t> encode_buffers(const std::vector<FloatImage>& images, const std::string& text) {
-  const FloatImage &lit = images[0], &depth = images[1], &motion = images[2], &tag = images[3], &resolved = images[4];
-  return encode_exr({{"R", &lit, 0}, {"G", &lit, 1}, {"B", &lit, 2},
+  const FloatImage &lit = images[0], &depth = images[1], &motion = images[2], &tag = images[3],
+                   &resolved = images[4];
+  return encode_exr({{"R", &lit, 0},
+                     {"G", &lit, 1},
+                     {"B", &lit, 2},
                      {"Z", &depth, 0},
-                     {"motion.X", &motion, 0}, {"motion.Y", &motion, 1},
+                     {"motion.X", &motion, 0},
+                     {"motion.Y", &motion, 1},
                      {"tag", &tag, 0},
-                     {"resolved.R", &resolved, 0}, {"resolved.G", &resolved, 1}, {"resolved.B", &resolved, 2}},
+                     {"resolved.R", &resolved, 0},
+                     {"resolved.G", &resolved, 1},
+                     {"resolved.B", &resolved, 2}},
                     text);
 }
 
@@ -58,7 +67,7 @@ std::vector<uint8_t> encode_resolved(const FloatImage& resolved, const std::stri
 
 /// What is wanted of each frame, and where it goes.
 class Capture {
- public:
+public:
   Capture(const CommandLine& line, const Shot& shot, Console& console) : line_(line), shot_(shot) {
     if (!line.output.empty()) output_.emplace(line, console);
     prepare_folder(line.sequence);
@@ -69,7 +78,8 @@ class Capture {
     std::vector<Wanted> wanted;
     if (buffers(frame))
       for (const Output what : buffers_of_a_frame) wanted.push_back({what});
-    if (sequence(frame) || (last(frame) && output_ && !output_->is_exr())) wanted.push_back({Output::display});
+    if (sequence(frame) || (last(frame) && output_ && !output_->is_exr()))
+      wanted.push_back({Output::display});
     if (last(frame) && output_ && output_->is_exr() && !buffers(frame)) wanted.push_back({Output::resolved});
     return wanted;
   }
@@ -82,13 +92,14 @@ class Capture {
       else
         output_->write(encode_png(delivered(wanted, result, Output::display).picture, text));
     }
-    if (sequence(frame)) write_picture(frame, std::move(delivered(wanted, result, Output::display).picture), text);
+    if (sequence(frame))
+      write_picture(frame, std::move(delivered(wanted, result, Output::display).picture), text);
     if (buffers(frame)) write_buffers(frame, wanted, result, text);
   }
 
   void finish() { writing_.finish(); }
 
- private:
+private:
   bool last(uint32_t frame) const { return frame + 1 == shot_.frames; }
   bool in_range(uint32_t frame) const { return frame >= line_.from.value_or(0); }
   bool sequence(uint32_t frame) const { return !line_.sequence.empty() && in_range(frame); }
@@ -100,7 +111,8 @@ class Capture {
     writing_.add([file, shared, text = std::move(text)] { write_file(file, encode_png(*shared, text)); });
   }
 
-  void write_buffers(uint32_t frame, const std::vector<Wanted>& wanted, FrameResult& result, std::string text) {
+  void write_buffers(uint32_t frame, const std::vector<Wanted>& wanted, FrameResult& result,
+                     std::string text) {
     const auto file = frame_file(line_.buffers, frame, ".exr");
     const auto images = std::make_shared<std::vector<FloatImage>>();
     for (const Output what : buffers_of_a_frame)
@@ -114,7 +126,7 @@ class Capture {
   WritingThread writing_;
 };
 
-}  // namespace
+} // namespace
 
 void capture(const CommandLine& line, Console& console) {
   const auto start = std::chrono::steady_clock::now();
@@ -139,4 +151,4 @@ void capture(const CommandLine& line, Console& console) {
   headless.finish();
 }
 
-}  // namespace unghost
+} // namespace unghost

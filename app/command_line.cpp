@@ -21,25 +21,26 @@ void add_talk(CLI::App& app, CommandLine& line) {
 }
 
 void add_device(CLI::App& app, CommandLine& line) {
-  app.add_option("--device", line.device, "Index or part of the name of a Vulkan device")->envname("UNGHOST_DEVICE");
+  app.add_option("--device", line.device, "Index or part of the name of a Vulkan device")
+      ->envname("UNGHOST_DEVICE");
   app.add_flag("--validate,!--no-validate", line.validate, "Switch on the Vulkan validation layer")
       ->envname("UNGHOST_VALIDATE");
 }
 
 void add_drawing(CLI::App& app, CommandLine& line) {
   app.add_option("SCENE", line.scene, "A glTF file, or asphalt (the default)");
-  app.add_option("--set", line.assignments, "name=value, of any setting; may be repeated")->allow_extra_args(false);
-  app.add_option_function<std::string>(
-         "--view", [&line](const std::string& view) { line.assignments.push_back("view=" + view); },
-         "What is drawn in place of the picture")
-      ->trigger_on_parse();
+  app.add_option("--set", line.assignments, "name=value, of any setting; may be repeated")
+      ->allow_extra_args(false);
+  app.add_option("--view", line.view, "What is drawn in place of the picture");
   app.add_option("--settings", line.settings, "JSON, or a PNG that unghost made: draws the same again");
   app.add_option("--rig", line.rig, "How camera and vehicle move");
   app.add_option_function<std::string>(
-      "--size", [&line](const std::string& text) { line.size = picture_size(text); }, "WIDTHxHEIGHT, in pixels");
+      "--size", [&line](const std::string& text) { line.size = picture_size(text); },
+      "WIDTHxHEIGHT, in pixels");
   app.add_option("--frames", line.frames, "Rendered one by one from a cold start; the last one counts")
       ->check(CLI::Range(1u, most_frames));
-  app.add_option("--seed", line.seed, "Varies the rig; 1 is the rig as designed");
+  app.add_option("--seed", line.seed, "Varies the rig; 1 is the rig as designed")
+      ->check(CLI::NonNegativeNumber);
   app.add_flag("--timings,!--no-timings", line.timings, "A table of passes: milliseconds and images");
   add_device(app, line);
 }
@@ -47,7 +48,8 @@ void add_drawing(CLI::App& app, CommandLine& line) {
 void add_frames_out(CLI::App& app, CommandLine& line) {
   app.add_option("--sequence", line.sequence, "Write every frame to this folder, 00000.png on");
   app.add_option("--from", line.from, "The first frame that is written")->check(CLI::Range(0u, most_frames));
-  app.add_option("--buffers", line.buffers, "Write lit colour, depth, motion, tag and resolved as EXR to this folder");
+  app.add_option("--buffers", line.buffers,
+                 "Write lit colour, depth, motion, tag and resolved as EXR to this folder");
 }
 
 void add_options(CLI::App& app, const CommandRow& row, CommandLine& line) {
@@ -55,7 +57,9 @@ void add_options(CLI::App& app, const CommandRow& row, CommandLine& line) {
   if (row.options & device) add_device(app, line);
   if (row.options & one_mode) app.add_option("--mode", line.mode, "Which temporal resolve");
   if (row.options & many_modes)
-    app.add_option("--modes", line.modes, "Names with commas between them")->delimiter(',')->allow_extra_args(false);
+    app.add_option("--modes", line.modes, "Names with commas between them")
+        ->delimiter(',')
+        ->allow_extra_args(false);
   if (row.options & picture) app.add_option("-o,--output", line.output, "The picture; - is standard output");
   if (row.options & frames_out) add_frames_out(app, line);
   if (row.options & crops)
@@ -107,7 +111,7 @@ void refuse_unknown(const CLI::App& app, bool is_command) {
   throw WrongWords("there is no command '" + word + "'" + did_you_mean(word, known_words(app, false)));
 }
 
-}  // namespace
+} // namespace
 
 PictureSize picture_size(const std::string& text) {
   PictureSize size;
@@ -116,7 +120,8 @@ PictureSize picture_size(const std::string& text) {
   const bool crossed = error == std::errc{} && x != end && *x == 'x';
   const bool whole = crossed && std::from_chars(x + 1, end, size.height).ptr == end && x + 1 != end;
   if (whole && size.width - 1 < longest_side && size.height - 1 < longest_side) return size;
-  throw WrongWords("a size is WIDTHxHEIGHT, both from 1 to " + std::to_string(longest_side) + ", not '" + text + "'");
+  throw WrongWords("a size is WIDTHxHEIGHT, both from 1 to " + std::to_string(longest_side) + ", not '" +
+                   text + "'");
 }
 
 std::variant<CommandLine, HelpText, VersionAsked> parse_command_line(std::span<const char* const> words) {
@@ -135,6 +140,7 @@ std::variant<CommandLine, HelpText, VersionAsked> parse_command_line(std::span<c
   refuse_unknown(*app, false);
   for (const CLI::App* command : app->get_subcommands()) refuse_unknown(*command, true);
   if (version) return VersionAsked{};
+  if (line.view) line.assignments.push_back("view=" + *line.view);
   return line;
 }
 
@@ -144,4 +150,4 @@ std::string help_text() {
   return grammar(line, version)->help();
 }
 
-}  // namespace unghost
+} // namespace unghost

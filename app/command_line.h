@@ -23,18 +23,18 @@ struct PictureSize {
 /// What was given; what was not is empty, and gets its default from the command.
 struct CommandLine {
   const CommandRow* command = nullptr;
-  std::optional<std::string> scene, mode, rig;
+  std::optional<std::string> scene, mode, rig, view;
   std::vector<std::string> modes;
-  std::vector<std::string> assignments;  // `name=value`, in order; --view is one of them
+  std::vector<std::string> assignments; // `name=value`, in order; --view as the last
   std::filesystem::path settings;
   std::optional<PictureSize> size;
   std::optional<uint32_t> frames, from;
   std::optional<uint64_t> seed;
   std::optional<bool> crops;
   std::vector<std::string> what;
-  std::string device;  // index or part of a name; empty: the best
+  std::string device; // index or part of a name; empty: the best
   bool validate = false, timings = false, json = false, quiet = false, verbose = false;
-  std::string output;  // `-`: standard output
+  std::string output; // `-`: standard output
   std::filesystem::path sequence, buffers;
 };
 
@@ -56,4 +56,4 @@ std::variant<CommandLine, HelpText, VersionAsked> parse_command_line(std::span<c
 /// What --help without a command prints.
 std::string help_text();
 
-}  // namespace unghost
+} // namespace unghost

@@ -4,9 +4,10 @@ namespace unghost {
 
 std::span<const CommandRow> commands() {
   static constexpr CommandRow rows[] = {
-      {"capture", "Render without a window and write a picture", drawing | one_mode | picture | frames_out, capture},
-      {"compare", "Draw modes beside one another, from the same frames", drawing | many_modes | picture | crops,
-       compare},
+      {"capture", "Render without a window and write a picture", drawing | one_mode | picture | frames_out,
+       capture},
+      {"compare", "Draw modes beside one another, from the same frames",
+       drawing | many_modes | picture | crops, compare},
       {"measure", "Say in figures how much each mode ghosts", drawing | many_modes | figures, measure},
       {"modes", "List the temporal resolves", 0, list_modes},
       {"rigs", "List the ways in which camera and vehicle move", 0, list_rigs},
@@ -17,4 +18,4 @@ std::span<const CommandRow> commands() {
   return rows;
 }
 
-}  // namespace unghost
+} // namespace unghost

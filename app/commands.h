@@ -14,18 +14,18 @@ struct Console {
   std::ostream& out;
   std::ostream& err;
   bool quiet = false, verbose = false;
-  bool terminal = false;  // err is one: progress is shown
+  bool terminal = false; // err is one: progress is shown
 };
 
 /// What a command can be told, beyond --json and the talk.
 enum CommandOptions : unsigned {
-  drawing = 1,     // a scene, settings, a rig, a size, a device
+  drawing = 1, // a scene, settings, a rig, a size, a device
   one_mode = 2,
   many_modes = 4,
   picture = 8,     // -o
   frames_out = 16, // sequences and buffers
   crops = 32,
-  figures = 64,    // what to measure
+  figures = 64, // what to measure
   device = 128,
 };
 
@@ -46,4 +46,4 @@ void list_views(const CommandLine& line, Console& console);
 void list_settings(const CommandLine& line, Console& console);
 void info(const CommandLine& line, Console& console);
 
-}  // namespace unghost
+} // namespace unghost

@@ -12,19 +12,20 @@
 namespace unghost {
 namespace {
 
-// Between the first and the last that keep a history: as a rule the ghost, and the best that is done against it.
+// Between the first and the last that keep a history: as a rule the ghost, and the best that is done against
+// it.
 std::vector<Window> crops_of(const Shot& shot, const std::vector<LabelledPicture>& pictures) {
   const auto keeps_history = [](const ModeRun& run) { return run.taa.policy.needs_history(); };
   const auto first = std::ranges::find_if(shot.modes, keeps_history);
   const auto last = std::find_if(shot.modes.rbegin(), shot.modes.rend(), keeps_history);
   if (!shot.crops || first == shot.modes.end() || &*first == &*last) return {};
   return windows_of_difference(pictures[size_t(first - shot.modes.begin())].picture,
-                               pictures[size_t(shot.modes.rend() - last) - 1].picture, shot.size.width / crop_share,
-                               shot.size.height / crop_share, crops_a_row);
+                               pictures[size_t(shot.modes.rend() - last) - 1].picture,
+                               shot.size.width / crop_share, shot.size.height / crop_share, crops_a_row);
 }
 
 nlohmann::json comparison_json(const Shot& shot, const Headless& headless, const PictureOutput& output,
-                       const std::vector<Window>& crops) {
+                               const std::vector<Window>& crops) {
   nlohmann::json object = headless.facts();
   object.update(shot_json(shot, shot.frames));
   object["file"] = output.name();
@@ -35,7 +36,7 @@ nlohmann::json comparison_json(const Shot& shot, const Headless& headless, const
   return object;
 }
 
-}  // namespace
+} // namespace
 
 void compare(const CommandLine& line, Console& console) {
   const Shot shot = shot_from(line);
@@ -60,4 +61,4 @@ void compare(const CommandLine& line, Console& console) {
   headless.finish();
 }
 
-}  // namespace unghost
+} // namespace unghost

@@ -53,13 +53,14 @@ std::optional<Window> best_window(const Blocks& sums, const Window& size, const 
     for (uint32_t x = 0; x + columns < sums.width; ++x) {
       const Window window{x * block, y * block, size.width, size.height};
       const double sum = at(x + columns, y + rows) - at(x, y + rows) - at(x + columns, y) + at(x, y);
-      if (sum <= most || std::ranges::any_of(taken, [&](const Window& w) { return overlap(w, window); })) continue;
+      if (sum <= most || std::ranges::any_of(taken, [&](const Window& w) { return overlap(w, window); }))
+        continue;
       best = window, most = sum;
     }
   return best;
 }
 
-}  // namespace
+} // namespace
 
 std::vector<Window> windows_of_difference(const Image& a, const Image& b, uint32_t width, uint32_t height,
                                           size_t count) {
@@ -71,8 +72,9 @@ std::vector<Window> windows_of_difference(const Image& a, const Image& b, uint32
     if (!window) break;
     windows.push_back(*window);
   }
-  std::erase_if(windows, [&](const Window& w) { return w.x + w.width > a.width || w.y + w.height > a.height; });
+  std::erase_if(windows,
+                [&](const Window& w) { return w.x + w.width > a.width || w.y + w.height > a.height; });
   return windows;
 }
 
-}  // namespace unghost
+} // namespace unghost

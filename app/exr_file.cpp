@@ -21,7 +21,8 @@ std::vector<uint8_t> encode_exr(const std::vector<ExrChannel>& channels, const s
     header.channels().insert(channel.name, Imf::Channel(Imf::FLOAT));
     const size_t pixel = channel.image->channels * sizeof(float);
     // The writer only reads; its interface has no const.
-    char* base = reinterpret_cast<char*>(const_cast<float*>(channel.image->values.data() + channel.component));
+    char* base =
+        reinterpret_cast<char*>(const_cast<float*>(channel.image->values.data() + channel.component));
     frame.insert(channel.name, Imf::Slice(Imf::FLOAT, base, pixel, pixel * size_t(width)));
   }
   try {
@@ -38,4 +39,4 @@ std::vector<uint8_t> encode_exr(const std::vector<ExrChannel>& channels, const s
   }
 }
 
-}  // namespace unghost
+} // namespace unghost

@@ -11,7 +11,7 @@ namespace unghost {
 
 /// One channel of a file: channel `component` of an image.
 struct ExrChannel {
-  std::string name;  // "R", "Z", "motion.X", ...
+  std::string name; // "R", "Z", "motion.X", ...
   const FloatImage* image = nullptr;
   uint32_t component = 0;
 };
@@ -19,4 +19,4 @@ struct ExrChannel {
 /// All images have one size. `text` goes into the header attribute "unghost". Throws Failure(failed).
 std::vector<uint8_t> encode_exr(const std::vector<ExrChannel>& channels, const std::string& text);
 
-}  // namespace unghost
+} // namespace unghost

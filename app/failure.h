@@ -22,4 +22,4 @@ struct Failure : std::runtime_error {
   Exit exit;
 };
 
-}  // namespace unghost
+} // namespace unghost

@@ -25,7 +25,7 @@ fs::path behind_links(const fs::path& path) {
   return fs::is_symlink(path, ignored) ? fs::weakly_canonical(path, ignored) : path;
 }
 
-}  // namespace
+} // namespace
 
 NewFile::NewFile(fs::path path) : path_(behind_links(path)) {
   struct stat there {};
@@ -51,7 +51,8 @@ NewFile::~NewFile() {
 
 void NewFile::fail(int error) const {
   const bool no_folder = error == ENOENT;
-  cannot_write(path_, no_folder ? "there is no folder " + path_.parent_path().string() : std::strerror(error));
+  cannot_write(path_,
+               no_folder ? "there is no folder " + path_.parent_path().string() : std::strerror(error));
 }
 
 void NewFile::write(std::span<const uint8_t> bytes) {
@@ -81,7 +82,8 @@ void write_file(const fs::path& path, std::span<const uint8_t> bytes) {
 void make_folder(const fs::path& folder) {
   std::error_code error;
   fs::create_directories(folder, error);
-  if (error) throw Failure(Exit::failed, "cannot make the folder " + folder.string() + ": " + error.message());
+  if (error)
+    throw Failure(Exit::failed, "cannot make the folder " + folder.string() + ": " + error.message());
 }
 
 std::vector<uint8_t> read_file(const fs::path& path, size_t limit) {
@@ -109,4 +111,4 @@ std::vector<uint8_t> read_file(const fs::path& path, size_t limit) {
   return bytes;
 }
 
-}  // namespace unghost
+} // namespace unghost

@@ -11,7 +11,7 @@ namespace unghost {
 
 /// A file that appears with its whole content, or not. Every fault is a Failure(failed) with path and reason.
 class NewFile {
- public:
+public:
   /// Opens a file with a passing name in the folder of `path`, so that a folder that cannot be written to is
   /// known before the work. What is there and no regular file (a device, a pipe) is written to directly.
   explicit NewFile(std::filesystem::path path);
@@ -23,10 +23,10 @@ class NewFile {
   /// Moves the file to its place.
   void commit();
 
- private:
+private:
   [[noreturn]] void fail(int error) const;
 
-  std::filesystem::path path_, passing_name_;  // the second is empty where it writes directly
+  std::filesystem::path path_, passing_name_; // the second is empty where it writes directly
   int descriptor_ = -1;
 };
 
@@ -36,4 +36,4 @@ void make_folder(const std::filesystem::path& folder);
 /// Throws Failure(input_refused) where it cannot be read, is no regular file, or has more than `limit` bytes.
 std::vector<uint8_t> read_file(const std::filesystem::path& path, size_t limit);
 
-}  // namespace unghost
+} // namespace unghost

@@ -3,8 +3,8 @@
 namespace unghost {
 namespace {
 
-// ASCII 32 to 126, four a line. A glyph is 8 rows of 5 pixels: a byte a row from the top, the leftmost pixel in
-// the bit worth 16. The last row is for descenders.
+// ASCII 32 to 126, four a line. A glyph is 8 rows of 5 pixels: a byte a row from the top, the leftmost pixel
+// in the bit worth 16. The last row is for descenders.
 constexpr uint64_t glyphs[] = {
     // clang-format off
     0x0000000000000000, 0x0404040404000400, 0x0A0A0A0000000000, 0x0A0A1F0A1F0A0A00,
@@ -38,10 +38,10 @@ uint64_t glyph_of(char letter) {
   return letter >= 32 && letter < 127 ? glyphs[letter - 32] : glyphs['?' - 32];
 }
 
-}  // namespace
+} // namespace
 
 bool font_pixel(char letter, uint32_t x, uint32_t y) {
   return x < 5 && y < 8 && (glyph_of(letter) >> ((7 - y) * 8 + (4 - x)) & 1) != 0;
 }
 
-}  // namespace unghost
+} // namespace unghost

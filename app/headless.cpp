@@ -26,9 +26,10 @@ double median(std::vector<double> values) {
   return *middle;
 }
 
-}  // namespace
+} // namespace
 
-FrameInput frame_input(const Shot& shot, const RigContext& context, std::span<const ModeRun> modes, uint32_t index) {
+FrameInput frame_input(const Shot& shot, const RigContext& context, std::span<const ModeRun> modes,
+                       uint32_t index) {
   const Rig& rig = *find_rig(shot.rig);
   const auto at = [&](uint32_t frame) { return rig.at(context, frame * seconds_per_frame); };
   FrameInput input;
@@ -54,7 +55,8 @@ Headless::Headless(const CommandLine& line, const Shot& shot, Console& console)
               .stage = shot.settings.stage,
               .light = shot.settings.light};
   if (!console.quiet)
-    for (const std::string& warning : staged.scene.warnings) console.err << shot.scene << ": " << warning << "\n";
+    for (const std::string& warning : staged.scene.warnings)
+      console.err << shot.scene << ": " << warning << "\n";
   device_ = std::make_unique<Device>(DeviceRequest{.which = line.device, .validate = line.validate});
   if (!console.quiet) say_banner();
   renderer_ = std::make_unique<Renderer>(*device_, folders.shaders, std::move(staged.scene));
@@ -90,7 +92,8 @@ void Headless::render(std::span<const ModeRun> modes, const Wants& wants, const 
 
 void Headless::show_progress(uint32_t done) const {
   if (!console_.terminal || console_.quiet) return;
-  console_.err << "\rframe " << done << " of " << shot_.frames << (done == shot_.frames ? "\n" : "") << std::flush;
+  console_.err << "\rframe " << done << " of " << shot_.frames << (done == shot_.frames ? "\n" : "")
+               << std::flush;
 }
 
 void Headless::note_passes(const FrameResult& result) {
@@ -139,7 +142,8 @@ void Headless::finish() const {
   const std::vector<std::string>& messages = device_->validation_messages();
   for (const std::string& message : messages) console_.err << message << "\n";
   if (!messages.empty())
-    throw Failure(Exit::failed, "the validation layer has " + std::to_string(messages.size()) + " complaints");
+    throw Failure(Exit::failed,
+                  "the validation layer has " + std::to_string(messages.size()) + " complaints");
 }
 
 Delivered& delivered(const std::vector<Wanted>& wanted, FrameResult& result, Output what, size_t mode) {
@@ -148,4 +152,4 @@ Delivered& delivered(const std::vector<Wanted>& wanted, FrameResult& result, Out
   return result.delivered.at(size_t(found - wanted.begin()));
 }
 
-}  // namespace unghost
+} // namespace unghost

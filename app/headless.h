@@ -19,7 +19,8 @@
 namespace unghost {
 
 /// Frame `index` of a shot: a pure function. Frame 0 is a cut, where nothing has moved.
-FrameInput frame_input(const Shot& shot, const RigContext& context, std::span<const ModeRun> modes, uint32_t index);
+FrameInput frame_input(const Shot& shot, const RigContext& context, std::span<const ModeRun> modes,
+                       uint32_t index);
 
 /// A pass over all frames: the median of its times in ms, and the bytes of its images.
 struct PassSummary {
@@ -28,17 +29,17 @@ struct PassSummary {
   uint64_t image_bytes = 0;
 };
 
-/// A shot's scene on a device. The constructor loads it, says a banner where times are not a GPU's, and throws
-/// Failure and GpuError.
+/// A shot's scene on a device. The constructor loads it, says a banner where times are not a GPU's, and
+/// throws Failure and GpuError.
 class Headless {
- public:
+public:
   Headless(const CommandLine& line, const Shot& shot, Console& console);
   ~Headless();
 
   using Wants = std::function<std::vector<Wanted>(uint32_t frame)>;
   using Take = std::function<void(uint32_t frame, const std::vector<Wanted>& wanted, FrameResult& result)>;
-  /// Draws every frame of the shot; `take` gets those of which something is wanted. Throws Interrupted between
-  /// two frames.
+  /// Draws every frame of the shot; `take` gets those of which something is wanted. Throws Interrupted
+  /// between two frames.
   void render(std::span<const ModeRun> modes, const Wants& wants, const Take& take);
 
   std::vector<PassSummary> passes() const;
@@ -47,7 +48,7 @@ class Headless {
   /// Says the timings that were asked for. Throws Failure(failed) where the validation layer complained.
   void finish() const;
 
- private:
+private:
   void say_banner() const;
   void note_passes(const FrameResult& result);
   void show_progress(uint32_t done) const;
@@ -65,4 +66,4 @@ class Headless {
 /// What came of the first Wanted of that kind and mode. It must have been wanted.
 Delivered& delivered(const std::vector<Wanted>& wanted, FrameResult& result, Output what, size_t mode = 0);
 
-}  // namespace unghost
+} // namespace unghost

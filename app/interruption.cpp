@@ -9,7 +9,7 @@ volatile std::sig_atomic_t came = 0;
 
 void note(int signal) { came = signal; }
 
-}  // namespace
+} // namespace
 
 void catch_signals() {
   struct sigaction action {};
@@ -23,4 +23,4 @@ void throw_if_interrupted() {
   if (came != 0) throw Interrupted{came};
 }
 
-}  // namespace unghost
+} // namespace unghost

@@ -1,5 +1,5 @@
-// Ctrl-C and termination: noted in the handler, thrown between two frames, so that unwinding leaves whole files
-// or none. A second signal ends the process at once.
+// Ctrl-C and termination: noted in the handler, thrown between two frames, so that unwinding leaves whole
+// files or none. A second signal ends the process at once.
 #pragma once
 
 namespace unghost {
@@ -13,4 +13,4 @@ void catch_signals();
 /// Throws Interrupted once a signal has come.
 void throw_if_interrupted();
 
-}  // namespace unghost
+} // namespace unghost

@@ -27,7 +27,8 @@ void print(const CommandLine& line, Console& console, const json& object, const 
 
 std::string range_of(const Setting& row) {
   if (row.kind == SettingKind::number)
-    return fixed(row.low, 0) + " to " + fixed(row.high, 0) + (row.unit.empty() ? "" : " " + std::string(row.unit));
+    return fixed(row.low, 0) + " to " + fixed(row.high, 0) +
+           (row.unit.empty() ? "" : " " + std::string(row.unit));
   std::string choices;
   for (const Answer& answer : row.answers) choices += (choices.empty() ? "" : " ") + answer.name;
   return choices;
@@ -65,7 +66,7 @@ std::string fate_of(const DeviceFacts& facts) {
   return facts.software ? "usable, software: its times are not a GPU's" : "usable";
 }
 
-}  // namespace
+} // namespace
 
 void list_modes(const CommandLine& line, Console& console) {
   json modes = json::array();
@@ -119,13 +120,15 @@ void info(const CommandLine& line, Console& console) {
   object["assets"] = folders.assets.string(), object["shaders"] = folders.shaders.string();
   table.add({"assets", folders.assets.string(), ""});
   table.add({"shaders", folders.shaders.string(), ""});
-  for (const auto& [name, value] : object["environment"].items()) table.add({name, value.get<std::string>(), ""});
+  for (const auto& [name, value] : object["environment"].items())
+    table.add({name, value.get<std::string>(), ""});
   const std::vector<DeviceFacts> devices = list_devices();
   for (size_t i = 0; i < devices.size(); ++i) {
     object["devices"].push_back(device_json(devices[i]));
-    table.add({"device " + std::to_string(i), devices[i].name + ", " + devices[i].driver, fate_of(devices[i])});
+    table.add(
+        {"device " + std::to_string(i), devices[i].name + ", " + devices[i].driver, fate_of(devices[i])});
   }
   print(line, console, object, table);
 }
 
-}  // namespace unghost
+} // namespace unghost

@@ -11,7 +11,7 @@
 namespace unghost {
 namespace {
 
-constexpr uint32_t fill_frames = 16;  // the quick protocol: as many are measured by default
+constexpr uint32_t fill_frames = 16; // the quick protocol: as many are measured by default
 
 void check_words(const CommandLine& line, const Shot& shot) {
   const std::vector<std::string> known = {"trail"};
@@ -27,11 +27,13 @@ void check_words(const CommandLine& line, const Shot& shot) {
                      " frames that fill the history, so measuring wants more than those");
 }
 
-// Aliased and accumulated first, then the modes, all without jitter, so that one set of geometry serves them all.
+// Aliased and accumulated first, then the modes, all without jitter, so that one set of geometry serves them
+// all.
 std::vector<ModeRun> runs_of(const Shot& shot) {
   ModeRun aliased{.name = "aliased", .taa = {}};
   ModeRun accumulated{.name = "accumulated", .taa = {}};
-  accumulated.taa.policy = {.history = HistoryFilter::catmull_rom, .reject = Reject::off_screen, .blend = Blend::constant};
+  accumulated.taa.policy = {
+      .history = HistoryFilter::catmull_rom, .reject = Reject::off_screen, .blend = Blend::constant};
   std::vector<ModeRun> runs = {aliased, accumulated};
   runs.insert(runs.end(), shot.modes.begin(), shot.modes.end());
   for (ModeRun& run : runs) run.taa.policy.jitter = Jitter::none;
@@ -76,10 +78,12 @@ std::vector<Trail> measure_trail(const Shot& shot, Headless& headless) {
   return trails;
 }
 
-nlohmann::json figure(const std::optional<double>& value) { return value ? nlohmann::json(*value) : nlohmann::json(); }
+nlohmann::json figure(const std::optional<double>& value) {
+  return value ? nlohmann::json(*value) : nlohmann::json();
+}
 std::string cell(const std::optional<double>& value) { return value ? fixed(*value, 3) : "none"; }
 
-}  // namespace
+} // namespace
 
 void measure(const CommandLine& line, Console& console) {
   const Shot shot = shot_from(line);
@@ -102,4 +106,4 @@ void measure(const CommandLine& line, Console& console) {
   headless.finish();
 }
 
-}  // namespace unghost
+} // namespace unghost

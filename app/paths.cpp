@@ -16,7 +16,7 @@ fs::path find_folder(const fs::path& program, const char* name) {
                                   " nor in " + shared.lexically_normal().string() + "; build it again");
 }
 
-}  // namespace
+} // namespace
 
 DataFolders find_data_folders() {
   std::error_code error;
@@ -31,4 +31,4 @@ fs::path scene_file(std::string_view word, const fs::path& assets) {
   return plain && fs::exists(shipped, ignored) ? shipped : fs::path(word);
 }
 
-}  // namespace unghost
+} // namespace unghost

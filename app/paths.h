@@ -15,4 +15,4 @@ DataFolders find_data_folders();
 /// A scene that ships with the program (`asphalt`), or a file of the person's.
 std::filesystem::path scene_file(std::string_view word, const std::filesystem::path& assets);
 
-}  // namespace unghost
+} // namespace unghost

@@ -23,7 +23,7 @@ struct Place {
 /// Everything in pixels.
 struct Layout {
   uint32_t columns = 1, rows = 1;
-  uint32_t border = 0;  // around and between cells
+  uint32_t border = 0; // around and between cells
   uint32_t cell_width = 0, cell_height = 0;
   uint32_t text_scale = 1;
 
@@ -33,7 +33,7 @@ struct Layout {
   }
 };
 
-// As near to 16:9 as the cells allow, with few cells left empty.
+// As near to twice as wide as high as the cells allow, with few cells left empty.
 uint32_t best_columns(size_t count, double cell_aspect) {
   uint32_t best = 1;
   double least = 1e9;
@@ -41,7 +41,7 @@ uint32_t best_columns(size_t count, double cell_aspect) {
     const size_t rows = (count + columns - 1) / columns;
     const double aspect = cell_aspect * columns / double(rows);
     const double empty = double(rows * columns - count) / double(count);
-    const double cost = std::abs(std::log(aspect * 9 / 16)) + empty;
+    const double cost = std::abs(std::log(aspect / 2)) + empty;
     if (cost < least) best = columns, least = cost;
   }
   return best;
@@ -91,13 +91,14 @@ void copy(Image& canvas, const Image& picture, Place place) {
 void copy_enlarged(Image& canvas, const Image& picture, const Window& window, Place place) {
   for (uint32_t y = 0; y < window.height * crop_zoom; ++y)
     for (uint32_t x = 0; x < window.width * crop_zoom; ++x) {
-      const uint8_t* from = picture.rgba.data() + (size_t(window.y + y / crop_zoom) * picture.width +
-                                                   window.x + x / crop_zoom) * 4;
+      const uint8_t* from = picture.rgba.data() +
+                            (size_t(window.y + y / crop_zoom) * picture.width + window.x + x / crop_zoom) * 4;
       set(canvas, place.x + x, place.y + y, {from[0], from[1], from[2]});
     }
 }
 
-void draw_frame(Image& canvas, Place place, uint32_t width, uint32_t height, uint32_t thickness, Colour colour) {
+void draw_frame(Image& canvas, Place place, uint32_t width, uint32_t height, uint32_t thickness,
+                Colour colour) {
   for (uint32_t y = 0; y < height; ++y)
     for (uint32_t x = 0; x < width; ++x)
       if (x < thickness || y < thickness || x + thickness >= width || y + thickness >= height)
@@ -117,7 +118,8 @@ void draw_label(Image& canvas, const std::string& label, Place place, const Layo
           set(canvas, place.x + margin + i * glyph_width * scale + x, place.y + margin + y, ink);
 }
 
-void draw_crops(Image& canvas, const Image& picture, std::span<const Window> crops, Place cell, const Layout& layout) {
+void draw_crops(Image& canvas, const Image& picture, std::span<const Window> crops, Place cell,
+                const Layout& layout) {
   Place below{cell.x, cell.y + picture.height + layout.border};
   for (size_t i = 0; i < crops.size(); ++i) {
     const Window& window = crops[i];
@@ -131,7 +133,7 @@ void draw_crops(Image& canvas, const Image& picture, std::span<const Window> cro
   }
 }
 
-}  // namespace
+} // namespace
 
 Image picture_grid(std::span<const LabelledPicture> pictures, std::span<const Window> crops) {
   const Layout layout = layout_of(pictures.size(), pictures.front().picture, !crops.empty());
@@ -145,4 +147,4 @@ Image picture_grid(std::span<const LabelledPicture> pictures, std::span<const Wi
   return canvas;
 }
 
-}  // namespace unghost
+} // namespace unghost

@@ -4,7 +4,8 @@
 
 namespace unghost {
 
-PictureOutput::PictureOutput(const CommandLine& line, Console& console) : name_(line.output), out_(console.out) {
+PictureOutput::PictureOutput(const CommandLine& line, Console& console)
+    : name_(line.output), out_(console.out) {
   if (name_ != "-") {
     if (!name_.ends_with(".png") && !name_.ends_with(".exr") && name_.rfind("/dev/", 0) != 0)
       throw WrongWords("a picture's name ends in .png or .exr, not '" + name_ + "'");
@@ -25,4 +26,4 @@ void PictureOutput::write(std::span<const uint8_t> bytes) {
   if (!out_) throw Failure(Exit::failed, "cannot write to standard output");
 }
 
-}  // namespace unghost
+} // namespace unghost

@@ -11,17 +11,17 @@
 namespace unghost {
 
 class PictureOutput {
- public:
+public:
   /// Opens the file before the work. Throws WrongWords for `-` beside --json, which share standard output.
   PictureOutput(const CommandLine& line, Console& console);
   bool is_exr() const { return name_.ends_with(".exr"); }
   const std::string& name() const { return name_; }
   void write(std::span<const uint8_t> bytes);
 
- private:
+private:
   std::string name_;
   std::ostream& out_;
-  std::unique_ptr<NewFile> file_;  // none for standard output
+  std::unique_ptr<NewFile> file_; // none for standard output
 };
 
-}  // namespace unghost
+} // namespace unghost

@@ -68,7 +68,7 @@ const char* find_text(png_structp png, png_infop info) {
 void say_nothing(png_structp, png_const_charp) {}
 void leave(png_structp png, png_const_charp) { png_longjmp(png, 1); }
 
-}  // namespace
+} // namespace
 
 std::vector<uint8_t> encode_png(const Image& picture, const std::string& text) {
   std::vector<uint8_t> bytes, row(size_t(picture.width) * 3);
@@ -82,7 +82,9 @@ std::vector<uint8_t> encode_png(const Image& picture, const std::string& text) {
   return bytes;
 }
 
-bool is_png(std::span<const uint8_t> bytes) { return bytes.size() >= 8 && png_sig_cmp(bytes.data(), 0, 8) == 0; }
+bool is_png(std::span<const uint8_t> bytes) {
+  return bytes.size() >= 8 && png_sig_cmp(bytes.data(), 0, 8) == 0;
+}
 
 std::optional<std::string> text_in_png(std::span<const uint8_t> bytes) {
   png_structp png = png_create_read_struct(PNG_LIBPNG_VER_STRING, nullptr, leave, say_nothing);
@@ -94,4 +96,4 @@ std::optional<std::string> text_in_png(std::span<const uint8_t> bytes) {
   return text;
 }
 
-}  // namespace unghost
+} // namespace unghost

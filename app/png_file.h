@@ -11,11 +11,11 @@
 
 namespace unghost {
 
-/// sRGB, 8 bits, alpha left out; `text` goes into an iTXt chunk with the key "unghost". The same bytes for the
-/// same picture and text. Throws Failure(failed).
+/// sRGB, 8 bits, alpha left out; `text` goes into an iTXt chunk with the key "unghost". The same bytes for
+/// the same picture and text. Throws Failure(failed).
 std::vector<uint8_t> encode_png(const Image& picture, const std::string& text);
 bool is_png(std::span<const uint8_t> bytes);
 /// The text that encode_png put in; nothing where there is none or the file is broken.
 std::optional<std::string> text_in_png(std::span<const uint8_t> bytes);
 
-}  // namespace unghost
+} // namespace unghost

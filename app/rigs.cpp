@@ -11,12 +11,13 @@ using glm::dmat4, glm::dvec3, glm::dvec4, glm::radians;
 
 // The car that the rigs are laid out for, in metres; what is larger or smaller moves the camera with it.
 constexpr dvec3 usual_size{1.85, 1.4, 4.4};
-constexpr double road_centre_m = 1.8;  // left of the path: the road reaches from 2.2 m right of it to 5.8 m left
+constexpr double road_centre_m =
+    1.8; // left of the path: the road reaches from 2.2 m right of it to 5.8 m left
 
 /// What a seed changes.
 struct Variation {
-  double start_m = 0;   // along the track
-  double side = 1;      // -1: the camera stands on the right
+  double start_m = 0; // along the track
+  double side = 1;    // -1: the camera stands on the right
   double sun_deg = 0;
   double pace = 1;
 };
@@ -64,11 +65,11 @@ dmat4 frame_on_path(const RigContext& context, double arc_m, double left_m) {
 struct Pose {
   dmat4 vehicle{1};
   double travelled_m = 0;
-  dmat4 camera_frame{1};  // in which eye and target are given
+  dmat4 camera_frame{1}; // in which eye and target are given
   dvec3 eye{0}, target{0};
   double roll = 0;
   double vertical_fov = 0.8;
-  double sun_azimuth_deg = 0;  // from the path's direction at the start, towards the camera's side
+  double sun_azimuth_deg = 0; // from the path's direction at the start, towards the camera's side
 };
 
 dvec3 towards_sun(const RigContext& context, const Variation& variation, double azimuth_deg) {
@@ -76,11 +77,13 @@ dvec3 towards_sun(const RigContext& context, const Variation& variation, double 
                          variation.side * radians(azimuth_deg + context.light.sun_azimuth_deg) +
                          radians(variation.sun_deg);
   const double elevation = radians(double(context.light.sun_elevation_deg));
-  return {std::cos(elevation) * std::sin(azimuth), std::sin(elevation), std::cos(elevation) * std::cos(azimuth)};
+  return {std::cos(elevation) * std::sin(azimuth), std::sin(elevation),
+          std::cos(elevation) * std::cos(azimuth)};
 }
 
 Instant instant_of(const RigContext& context, const Variation& variation, const Pose& pose, double time_s) {
-  const dvec3 eye = pose.camera_frame * dvec4(pose.eye, 1), target = pose.camera_frame * dvec4(pose.target, 1);
+  const dvec3 eye = pose.camera_frame * dvec4(pose.eye, 1),
+              target = pose.camera_frame * dvec4(pose.target, 1);
   const Bounds bounds = bounds_of(context);
   const double wheelbase_m = 0.6 * double(bounds.high.z - bounds.low.z);
   const glm::dquat upright = glm::quatLookAt(glm::normalize(target - eye), dvec3(0, 1, 0));
@@ -96,12 +99,13 @@ Instant instant_of(const RigContext& context, const Variation& variation, const 
 }
 
 double speed_of(const RigContext& context, const Variation& variation, double metres_per_second) {
-  return metres_per_second * context.stage.speed * variation.pace * std::min(1.0, scale_of(bounds_of(context)));
+  return metres_per_second * context.stage.speed * variation.pace *
+         std::min(1.0, scale_of(bounds_of(context)));
 }
 
 /// A camera `distance_m` from the vehicle's middle, `angle` from its nose towards its left.
-Pose parked(const RigContext& context, const Variation& variation, double angle, const dvec3& eye_and_target_height,
-            double distance_m) {
+Pose parked(const RigContext& context, const Variation& variation, double angle,
+            const dvec3& eye_and_target_height, double distance_m) {
   const double scale = scale_of(bounds_of(context));
   const dmat4 frame = frame_on_path(context, variation.start_m, road_centre_m);
   const dvec3 away{std::sin(angle), 0, std::cos(angle)};
@@ -135,7 +139,7 @@ Instant drive(const RigContext& context, double time_s) {
   const double travelled_m = speed_of(context, variation, 30) * time_s;
   const dmat4 frame = frame_on_path(context, variation.start_m + travelled_m, 0);
   const double sway = std::sin(0.7 * tau * time_s), bob = std::sin(1.3 * tau * time_s);
-  const dvec3 eye{side * 0.9 + 0.03 * sway, 1.7 + 0.02 * bob, -5.5}, target{side * -0.1, 0.75, 6};
+  const dvec3 eye{side * 0.9 + 0.03 * sway, 1.7 + 0.02 * bob, -5.5}, target{side * -0.1, 0.45, 6};
   return instant_of(context, variation,
                     {.vehicle = frame,
                      .travelled_m = travelled_m,
@@ -147,22 +151,22 @@ Instant drive(const RigContext& context, double time_s) {
                     time_s);
 }
 
-// The vehicle swings through the picture as a pendulum does, 15 m/s in the middle, so that a run of any length has
-// it in view; it enters at speed and needs about 40 frames from one side to the other.
+// The vehicle swings through the picture as a pendulum does, 15 m/s in the middle, so that a run of any
+// length has it in view; it enters at speed and needs about 40 frames from one side to the other.
 Instant pass(const RigContext& context, double time_s) {
   const Variation variation = variation_of(context);
   const double scale = scale_of(bounds_of(context)), side = variation.side;
   const double reach_m = 5 * scale, phase = 0.6 + speed_of(context, variation, 15) / reach_m * time_s;
   const double along_m = -reach_m * std::cos(phase);
-  const double lane_m = side > 0 ? 0.0 : 1.9;                  // the lane further from the camera
-  const double camera_m = side > 0 ? 10.4 : -5.5;              // in front of the guard rails, 11 m left and 6 m right
+  const double lane_m = side > 0 ? 0.0 : 1.9;     // the lane further from the camera
+  const double camera_m = side > 0 ? 10.4 : -5.5; // in front of the guard rails, 11 m left and 6 m right
   const double distance_m = std::min(7.5 * scale, std::abs(camera_m - lane_m));
   return instant_of(context, variation,
                     {.vehicle = frame_on_path(context, variation.start_m + along_m, lane_m),
                      .travelled_m = along_m,
                      .camera_frame = frame_on_path(context, variation.start_m, lane_m),
                      .eye = {side * distance_m, 1.5 * scale, 0},
-                     .target = {0, 0.5 * scale, 0},
+                     .target = {0, 0.8 * scale, 0},
                      .vertical_fov = 2 * std::atan(std::tan(0.4) * 7.5 * scale / distance_m),
                      .sun_azimuth_deg = -95},
                     time_s);
@@ -183,14 +187,15 @@ Instant overhead(const RigContext& context, double time_s) {
                     time_s);
 }
 
-}  // namespace
+} // namespace
 
 std::span<const Rig> rigs() {
   static constexpr Rig rows[] = {
       {"still", "Nothing moves: convergence and shimmer.", still},
       {"drive", "The vehicle drives fast and the camera chases it: the near road, the shadow behind.", drive},
       {"rotate", "The camera swings round the parked vehicle: disocclusion beside it.", rotate},
-      {"pass", "The vehicle crosses the picture of a fixed camera: a trail and a moving shadow on ground that rests.",
+      {"pass",
+       "The vehicle crosses the picture of a fixed camera: a trail and a moving shadow on ground that rests.",
        pass},
       {"overhead", "The vehicle drives, seen from far above: thresholds that no longer fit.", overhead},
   };
@@ -202,4 +207,4 @@ const Rig* find_rig(std::string_view name) {
   return found == rigs().end() ? nullptr : &*found;
 }
 
-}  // namespace unghost
+} // namespace unghost

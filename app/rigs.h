@@ -10,11 +10,11 @@ namespace unghost {
 
 /// What a rig is fitted to. Lengths in metres.
 struct RigContext {
-  uint64_t seed = 1;           // 1: as designed; others move start, side, sun and speed a little
-  double track_radius = 150;   // of the circle that the vehicle follows
-  Bounds vehicle;              // in its own frame: +z forward, +y up, +x left, origin on the ground
-  StageSettings stage;         // speed
-  LightSettings light;         // the sun's place
+  uint64_t seed = 1;         // 1: as designed; others move start, side, sun and speed a little
+  double track_radius = 150; // of the circle that the vehicle follows
+  Bounds vehicle;            // in its own frame: +z forward, +y up, +x left, origin on the ground
+  StageSettings stage;       // speed
+  LightSettings light;       // the sun's place
 };
 
 /// One row of the table of rigs.
@@ -29,4 +29,4 @@ std::span<const Rig> rigs();
 /// The rig of that name, or nothing.
 const Rig* find_rig(std::string_view name);
 
-}  // namespace unghost
+} // namespace unghost

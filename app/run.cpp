@@ -15,10 +15,13 @@ namespace {
 
 Exit exit_of(GpuFault fault) {
   switch (fault) {
-    case GpuFault::no_device: return Exit::no_device;
-    case GpuFault::lost:
-    case GpuFault::out_of_memory: return Exit::device_lost_or_memory;
-    case GpuFault::other: break;
+  case GpuFault::no_device:
+    return Exit::no_device;
+  case GpuFault::lost:
+  case GpuFault::out_of_memory:
+    return Exit::device_lost_or_memory;
+  case GpuFault::other:
+    break;
   }
   return Exit::failed;
 }
@@ -44,7 +47,7 @@ Exit run_words(std::span<const char* const> words, std::ostream& out, std::ostre
     return Exit::done;
   }
   const CommandLine& line = std::get<CommandLine>(parsed);
-  if (!line.command) {  // the window's place
+  if (!line.command) { // the window's place
     err << help_text();
     return Exit::wrong_words;
   }
@@ -53,7 +56,7 @@ Exit run_words(std::span<const char* const> words, std::ostream& out, std::ostre
   return Exit::done;
 }
 
-}  // namespace
+} // namespace
 
 int run(std::span<const char* const> words, std::ostream& out, std::ostream& err, bool terminal) {
   const auto fail = [&err](Exit exit, const std::string& sentence) {
@@ -79,4 +82,4 @@ int run(std::span<const char* const> words, std::ostream& out, std::ostream& err
   }
 }
 
-}  // namespace unghost
+} // namespace unghost

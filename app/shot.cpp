@@ -48,7 +48,8 @@ json parse_settings_file(const std::filesystem::path& path) {
     text = std::move(*found);
   }
   const json parsed = json::parse(text, nullptr, false);
-  if (!parsed.is_object()) throw Failure(Exit::input_refused, path.string() + " is no JSON object of settings");
+  if (!parsed.is_object())
+    throw Failure(Exit::input_refused, path.string() + " is no JSON object of settings");
   return parsed;
 }
 
@@ -64,38 +65,60 @@ void read_modes(const json& file, Shot& shot, const CommandRow& command) {
     shot.modes = {{.name = file.at("mode").get<std::string>(), .taa = shot.settings.taa}};
 }
 
-// A picture's own words, or nothing but settings.
-void apply_settings_file(const json& file, Shot& shot, const CommandRow& command) {
-  if (!file.contains("settings")) {
-    apply_settings_json(shot.settings, file);
-    for (ModeRun& run : shot.modes) {
-      Settings settings = settings_of(run);
-      for (const auto& [name, value] : file.items())
-        if (find_setting(name).per_mode) apply_settings_json(settings, {{name, value}});
-      run.taa = settings.taa;
-    }
-    return;
-  }
+// What a picture carries.
+void apply_shot(const json& file, Shot& shot, const CommandRow& command) {
   apply_settings_json(shot.settings, file.at("settings"));
   shot.scene = file.value("scene", shot.scene);
   shot.rig = file.value("rig", shot.rig);
   shot.seed = file.value("seed", shot.seed);
   shot.frames = file.value("frames", shot.frames);
   shot.crops = file.value("crops", shot.crops);
-  if (shot.frames - 1 >= most_frames) throw SettingError("frames are from 1 to " + std::to_string(most_frames));
+  if (shot.frames - 1 >= most_frames)
+    throw SettingError("frames are from 1 to " + std::to_string(most_frames));
   if (file.contains("size")) shot.size = picture_size(file.at("size").get<std::string>());
   read_modes(file, shot, command);
 }
 
-void read_settings_file(const std::filesystem::path& path, Shot& shot, const CommandRow& command) {
-  const json file = parse_settings_file(path);
-  try {
-    apply_settings_file(file, shot, command);
-  } catch (const Failure&) {
-    throw;
-  } catch (const std::exception& error) {  // a setting, a size or a type in it is wrong
-    throw Failure(Exit::input_refused, path.string() + ": " + error.what());
+// Names and values, for every mode.
+void apply_plain_settings(const json& file, Shot& shot) {
+  apply_settings_json(shot.settings, file);
+  for (ModeRun& run : shot.modes) {
+    Settings settings = settings_of(run);
+    for (const auto& [name, value] : file.items())
+      if (find_setting(name).per_mode) apply_settings_json(settings, {{name, value}});
+    run.taa = settings.taa;
   }
+}
+
+void apply_words(const CommandLine& line, Shot& shot) {
+  if (line.scene) shot.scene = *line.scene;
+  if (line.rig) shot.rig = *line.rig;
+  if (line.seed) shot.seed = *line.seed;
+  if (line.size) shot.size = *line.size;
+  if (line.frames) shot.frames = *line.frames;
+  if (line.crops) shot.crops = *line.crops;
+  if (line.mode) shot.modes = {mode_run(*line.mode)};
+  if (line.modes.empty()) return;
+  shot.modes.clear();
+  for (const std::string& name : line.modes) shot.modes.push_back(mode_run(name));
+}
+
+// `words` are applied between a shot of the file, which they win over, and plain settings, which need the
+// modes.
+void apply_file_and_words(const CommandLine& line, Shot& shot) {
+  if (line.settings.empty()) return apply_words(line, shot);
+  const json file = parse_settings_file(line.settings);
+  const bool is_shot = file.contains("settings");
+  const auto from_file = [&](auto&& apply) {
+    try {
+      apply();
+    } catch (const std::exception& error) { // a setting, a size or a type in it is wrong
+      throw Failure(Exit::input_refused, line.settings.string() + ": " + error.what());
+    }
+  };
+  if (is_shot) from_file([&] { apply_shot(file, shot, *line.command); });
+  apply_words(line, shot);
+  if (!is_shot) from_file([&] { apply_plain_settings(file, shot); });
 }
 
 // An assignment reaches the modes that it has an effect on, and is refused where it has one on none.
@@ -130,33 +153,23 @@ void check_rig(const std::string& name) {
   throw SettingError("there is no rig '" + name + "'" + did_you_mean(name, known));
 }
 
-}  // namespace
+} // namespace
 
 Shot shot_from(const CommandLine& line) {
   Shot shot;
   shot.command = line.command->name;
   shot.modes = default_modes(*line.command);
   if (line.command->options & figures) shot.frames = 32, shot.rig = "pass";
-  if (!line.settings.empty()) read_settings_file(line.settings, shot, *line.command);
-  if (line.scene) shot.scene = *line.scene;
-  if (line.rig) shot.rig = *line.rig;
-  if (line.seed) shot.seed = *line.seed;
-  if (line.size) shot.size = *line.size;
-  if (line.frames) shot.frames = *line.frames;
-  if (line.crops) shot.crops = *line.crops;
-  if (line.mode) shot.modes = {mode_run(*line.mode)};
-  if (!line.modes.empty()) {
-    shot.modes.clear();
-    for (const std::string& name : line.modes) shot.modes.push_back(mode_run(name));
-  }
+  apply_file_and_words(line, shot);
   check_rig(shot.rig);
   apply_assignments(line, shot);
   return shot;
 }
 
 json shot_json(const Shot& shot, uint32_t frames) {
-  json object = {{"version", UNGHOST_VERSION}, {"command", shot.command},       {"scene", shot.scene},
-                 {"rig", shot.rig},            {"seed", shot.seed},             {"frames", frames},
+  json object = {{"version", UNGHOST_VERSION}, {"command", shot.command},
+                 {"scene", shot.scene},        {"rig", shot.rig},
+                 {"seed", shot.seed},          {"frames", frames},
                  {"size", text_of(shot.size)}, {"settings", json::object()}};
   Settings settings = shot.settings;
   if (shot.command == "capture") {
@@ -175,6 +188,8 @@ json shot_json(const Shot& shot, uint32_t frames) {
   return object;
 }
 
-std::string text_of(PictureSize size) { return std::to_string(size.width) + "x" + std::to_string(size.height); }
+std::string text_of(PictureSize size) {
+  return std::to_string(size.width) + "x" + std::to_string(size.height);
+}
 
-}  // namespace unghost
+} // namespace unghost

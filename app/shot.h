@@ -1,4 +1,5 @@
-// Everything that decides what a picture shows: what the words ask for, and what the picture carries in itself.
+// Everything that decides what a picture shows: what the words ask for, and what the picture carries in
+// itself.
 #pragma once
 
 #include <filesystem>
@@ -18,9 +19,9 @@ struct Shot {
   std::string rig = "drive";
   uint64_t seed = 1;
   PictureSize size;
-  uint32_t frames = 64;  // from a cold start; the last is the picture
-  bool crops = true;     // of a comparison: enlarged parts below each picture
-  Settings settings;     // what all modes share; its taa is not read
+  uint32_t frames = 64; // from a cold start; the last is the picture
+  bool crops = true;    // of a comparison: enlarged parts below each picture
+  Settings settings;    // what all modes share; its taa is not read
   std::vector<ModeRun> modes;
 };
 
@@ -31,4 +32,4 @@ Shot shot_from(const CommandLine& line);
 nlohmann::json shot_json(const Shot& shot, uint32_t frames);
 std::string text_of(PictureSize size);
 
-}  // namespace unghost
+} // namespace unghost

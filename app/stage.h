@@ -10,13 +10,13 @@ namespace unghost {
 
 struct Staged {
   Scene scene;
-  Bounds vehicle;             // of the vehicle, in its own frame; metres
-  double track_radius = 150;  // metres
+  Bounds vehicle;            // of the vehicle, in its own frame; metres
+  double track_radius = 150; // metres
 };
 
-/// `file` is a scene of its own where it has a vehicle and a track; else it is a model, and takes the place of the
-/// car in `road`. Throws Failure(input_refused) with the file and the reason.
+/// `file` is a scene of its own where it has a vehicle and a track; else it is a model, and takes the place
+/// of the car in `road`. Throws Failure(input_refused) with the file and the reason.
 Staged build_stage(const std::filesystem::path& file, const std::filesystem::path& road,
                    const StageSettings& settings);
 
-}  // namespace unghost
+} // namespace unghost

@@ -10,7 +10,7 @@ bool is_number(const std::string& text) {
   return !text.empty() && text.find_first_not_of("0123456789.-") == std::string::npos;
 }
 
-}  // namespace
+} // namespace
 
 std::string Table::text() const {
   std::vector<size_t> widths(rows_.front().size(), 0);
@@ -30,8 +30,9 @@ std::string Table::text() const {
 }
 
 std::string fixed(double value, int decimals) {
-  char buffer[400];  // the largest double has 309 digits before the point
-  return {buffer, std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::fixed, decimals).ptr};
+  char buffer[400]; // the largest double has 309 digits before the point
+  return {buffer,
+          std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::fixed, decimals).ptr};
 }
 
-}  // namespace unghost
+} // namespace unghost

@@ -5,9 +5,9 @@
 namespace unghost {
 namespace {
 
-constexpr size_t most_waiting = 3;  // a frame with buffers at 720p holds 40 MB
+constexpr size_t most_waiting = 3; // a frame with buffers at 720p holds 40 MB
 
-}  // namespace
+} // namespace
 
 WritingThread::WritingThread() : thread_([this] { work(); }) {}
 
@@ -61,4 +61,4 @@ void WritingThread::work() {
   }
 }
 
-}  // namespace unghost
+} // namespace unghost

@@ -10,10 +10,10 @@
 
 namespace unghost {
 
-/// One thread that does what it is given, in order. A few may wait; then `add` does. A job's exception comes out
-/// of the next `add` or of `finish`, and the jobs after it are dropped.
+/// One thread that does what it is given, in order. A few may wait; then `add` does. A job's exception comes
+/// out of the next `add` or of `finish`, and the jobs after it are dropped.
 class WritingThread {
- public:
+public:
   WritingThread();
   ~WritingThread();
   WritingThread(const WritingThread&) = delete;
@@ -23,7 +23,7 @@ class WritingThread {
   /// Waits until all is done.
   void finish();
 
- private:
+private:
   void work();
   void rethrow();
 
@@ -32,7 +32,7 @@ class WritingThread {
   std::deque<std::function<void()>> waiting_;
   std::exception_ptr fault_;
   bool busy_ = false, ending_ = false;
-  std::thread thread_;  // last: it starts when all else is there
+  std::thread thread_; // last: it starts when all else is there
 };
 
-}  // namespace unghost
+} // namespace unghost

@@ -8,4 +8,4 @@ namespace unghost {
 /// Exposed by `exposure_ev`, tone-mapped and sRGB-encoded, 0 to 1; rgb in, rgb out.
 FloatImage displayed(const FloatImage& linear, float exposure_ev);
 
-}  // namespace unghost
+} // namespace unghost

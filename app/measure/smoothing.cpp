@@ -19,14 +19,14 @@ void smooth_line(const float* from, float* to, int count, size_t stride, uint32_
     }
 }
 
-}  // namespace
+} // namespace
 
 FloatImage smoothed(const FloatImage& image, std::span<const float> weights) {
   FloatImage across = image, both = image;
   const size_t row = size_t(image.width) * image.channels;
   for (uint32_t y = 0; y < image.height; ++y)
-    smooth_line(&image.values[y * row], &across.values[y * row], int(image.width), image.channels, image.channels,
-                weights);
+    smooth_line(&image.values[y * row], &across.values[y * row], int(image.width), image.channels,
+                image.channels, weights);
   for (uint32_t x = 0; x < image.width; ++x)
     smooth_line(&across.values[size_t(x) * image.channels], &both.values[size_t(x) * image.channels],
                 int(image.height), row, image.channels, weights);
@@ -42,8 +42,9 @@ FloatImage gaussian_5x5(const FloatImage& image) {
   constexpr double sigma = 1.5;
   const double near = std::exp(-0.5 / (sigma * sigma)), far = std::exp(-2 / (sigma * sigma));
   const double sum = 1 + 2 * near + 2 * far;
-  const float weights[] = {float(far / sum), float(near / sum), float(1 / sum), float(near / sum), float(far / sum)};
+  const float weights[] = {float(far / sum), float(near / sum), float(1 / sum), float(near / sum),
+                           float(far / sum)};
   return smoothed(image, weights);
 }
 
-}  // namespace unghost
+} // namespace unghost

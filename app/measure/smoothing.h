@@ -15,4 +15,4 @@ FloatImage gaussian_3x3(const FloatImage& image);
 /// 5x5, sigma 1.5: a ghost is wider than the texture that it lies on.
 FloatImage gaussian_5x5(const FloatImage& image);
 
-}  // namespace unghost
+} // namespace unghost

@@ -7,7 +7,7 @@
 namespace unghost {
 namespace {
 
-constexpr float depth_tolerance = 0.01f;  // of the depth
+constexpr float depth_tolerance = 0.01f; // of the depth
 constexpr float visibility_tolerance = 0.05f;
 constexpr float sky = 0;
 
@@ -41,7 +41,7 @@ bool same_light(const FloatImage& last, float visibility, float x, float y) {
   return visibility >= range.low - visibility_tolerance && visibility <= range.high + visibility_tolerance;
 }
 
-}  // namespace
+} // namespace
 
 void Steadiness::advance(Surfaces now) {
   std::vector<PixelHistory> next_pixels(size_t(now.depth.width) * now.depth.height);
@@ -70,4 +70,4 @@ PixelHistory Steadiness::next(const Surfaces& now, int x, int y) const {
   return {.steady_frames = uint8_t(std::min(before.steady_frames + 1, 255)), .change = before.change};
 }
 
-}  // namespace unghost
+} // namespace unghost

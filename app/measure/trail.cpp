@@ -25,10 +25,12 @@ Vec difference(const FloatImage& a, const FloatImage& b, size_t pixel) {
 
 double dot(const Vec& a, const Vec& b) { return a.r * b.r + a.g * b.g + a.b * b.b; }
 
-}  // namespace
+} // namespace
 
 void TrailMeter::add(std::span<const PixelHistory> pixels, const TrailImages& images) {
-  const auto seen = [this](const FloatImage& linear) { return gaussian_5x5(displayed(linear, exposure_ev_)); };
+  const auto seen = [this](const FloatImage& linear) {
+    return gaussian_5x5(displayed(linear, exposure_ev_));
+  };
   const FloatImage aliased = seen(images.aliased), accumulated = seen(images.accumulated);
   const FloatImage blurred = seen(gaussian_3x3(images.aliased));
   for (size_t mode = 0; mode < modes_.size(); ++mode) {
@@ -56,4 +58,4 @@ Trail TrailMeter::trail_of(size_t mode) const {
           .shadow = share(shadow.remaining, shadow.all)};
 }
 
-}  // namespace unghost
+} // namespace unghost

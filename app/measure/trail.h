@@ -19,22 +19,22 @@ struct Trail {
 
 /// One frame's images: linear rgb, one size, jitter off.
 struct TrailImages {
-  const FloatImage& aliased;             // no history
-  const FloatImage& accumulated;         // history never rejected but off-screen, Catmull-Rom
-  std::vector<const FloatImage*> resolved;  // of each mode
+  const FloatImage& aliased;               // no history
+  const FloatImage& accumulated;           // history never rejected but off-screen, Catmull-Rom
+  std::vector<const FloatImage*> resolved; // of each mode
 };
 
 class TrailMeter {
- public:
+public:
   TrailMeter(size_t modes, float exposure_ev) : modes_(modes), exposure_ev_(exposure_ev) {}
 
-  /// With A the aliased, H the accumulated, R a mode's resolved image and B the 3x3 Gaussian of A, all as displayed
-  /// and then smoothed by a 5x5 Gaussian of sigma 1.5: adds max(0, max(0, <R-A, H-A>) - max(0, <B-A, H-A>)) and
-  /// |H-A|^2 of the pixels that count. `pixels` as many as the images have.
+  /// With A the aliased, H the accumulated, R a mode's resolved image and B the 3x3 Gaussian of A, all as
+  /// displayed and then smoothed by a 5x5 Gaussian of sigma 1.5: adds max(0, max(0, <R-A, H-A>) - max(0,
+  /// <B-A, H-A>)) and |H-A|^2 of the pixels that count. `pixels` as many as the images have.
   void add(std::span<const PixelHistory> pixels, const TrailImages& images);
   Trail trail_of(size_t mode) const;
 
- private:
+private:
   struct Sums {
     double remaining = 0, all = 0;
   };
@@ -46,4 +46,4 @@ class TrailMeter {
   float exposure_ev_;
 };
 
-}  // namespace unghost
+} // namespace unghost

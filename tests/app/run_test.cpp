@@ -1,0 +1,136 @@
+#include "app/run.h"
+
+#include <algorithm>
+#include <sstream>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "app/commands.h"
+#include "app/rigs.h"
+#include "renderer/settings.h"
+#include "tests/app/scratch_folder.h"
+
+namespace unghost {
+namespace {
+
+struct Outcome {
+  int exit;
+  std::string out, err;
+};
+
+Outcome outcome(std::vector<const char*> words) {
+  std::ostringstream out, err;
+  const int exit = run(words, out, err);
+  return {exit, out.str(), err.str()};
+}
+
+bool has_line_count(const std::string& text, long count) { return std::ranges::count(text, '\n') == count; }
+
+TEST(Run, HelpSaysCommandsAndExitCodes) {
+  const Outcome help = outcome({"--help"});
+  EXPECT_EQ(help.exit, 0);
+  EXPECT_EQ(help.err, "");
+  for (const CommandRow& row : commands()) EXPECT_NE(help.out.find(row.name), std::string::npos) << row.name;
+  for (const char* words : {"2 the words were wrong", "4 no usable Vulkan device", "130 and 143"})
+    EXPECT_NE(help.out.find(words), std::string::npos) << words;
+  for (const CommandRow& row : commands()) {
+    const Outcome own = outcome({row.name.data(), "-h"});
+    EXPECT_EQ(own.exit, 0) << row.name;
+    EXPECT_NE(own.out.find("--json"), std::string::npos) << row.name;
+  }
+}
+
+TEST(Run, NoCommandIsHelpOnErrAndTwo) {
+  const Outcome nothing = outcome({});
+  EXPECT_EQ(nothing.exit, 2);
+  EXPECT_EQ(nothing.out, "");
+  EXPECT_NE(nothing.err.find("capture"), std::string::npos);
+}
+
+TEST(Run, WrongWordsAreTwoAndOneSentence) {
+  const std::vector<std::pair<std::vector<const char*>, const char*>> cases = {
+      {{"captur"}, "did you mean 'capture'?"},
+      {{"car.glb"}, "unghost capture car.glb"},
+      {{"capture", "--farmes", "3"}, "did you mean '--frames'?"},
+      {{"capture", "--farmes=3"}, "no option '--farmes'"},
+      {{"capture", "a.glb", "b.glb"}, "'b.glb' is one word too many"},
+      {{"capture"}, "capture wants -o"},
+      {{"compare"}, "compare wants -o"},
+      {{"capture", "-o", "a.jpg"}, ".png or .exr"},
+      {{"capture", "-o", "-", "--json"}, "standard output"},
+      {{"capture", "-o", "a.png", "--frames", "0"}, "--frames"},
+      {{"capture", "-o", "a.png", "--frames", "x"}, "--frames"},
+      {{"capture", "-o", "a.png", "--size", "64"}, "WIDTHxHEIGHT"},
+      {{"capture", "-o", "a.png", "--size", "0x4"}, "WIDTHxHEIGHT"},
+      {{"capture", "-o", "a.png", "--size", "4x4x"}, "WIDTHxHEIGHT"},
+      {{"capture", "-o", "a.png", "--size", "99999x1"}, "WIDTHxHEIGHT"},
+      {{"capture", "-o", "a.png", "--seed", "-1"}, "--seed"},
+      {{"capture", "-o", "a.png", "--rig", "rotat"}, "'rotate'"},
+      {{"capture", "-o", "a.png", "--mode", "blnd"}, "'blend'"},
+      {{"capture", "-o", "a.png", "--view", "taag"}, "'tag'"},
+      {{"capture", "-o", "a.png", "--set", "alpha=2"}, "from 0 to 1"},
+      {{"capture", "-o", "a.png", "--set", "alfa=0"}, "'alpha'"},
+      {{"capture", "-o", "a.png", "--from", "3"}, "--sequence"},
+      {{"capture", "--sequence", "s", "--from", "64"}, "beyond the last"},
+      {{"capture", "-o", "a.exr", "--view", "tag"}, "EXR"},
+      {{"compare", "-o", "a.exr"}, "PNG"},
+      {{"compare", "-o", "a.png", "--mode", "blend"}, "'--modes'"},
+      {{"measure", "--what", "flicker"}, "not there yet"},
+      {{"measure", "--what", "trial"}, "'trail'"},
+      {{"measure", "--frames", "16"}, "--frames"},
+      {{"modes", "--size", "4x4"}, "--size"},
+  };
+  for (const auto& [words, expected] : cases) {
+    const Outcome wrong = outcome(words);
+    EXPECT_EQ(wrong.exit, 2) << expected << ": " << wrong.err;
+    EXPECT_EQ(wrong.out, "") << expected;
+    EXPECT_NE(wrong.err.find(expected), std::string::npos) << wrong.err;
+    EXPECT_TRUE(has_line_count(wrong.err, 1)) << wrong.err;
+  }
+}
+
+TEST(Run, AFolderThatIsNotThereIsOneBeforeAnythingIsDrawn) {
+  const Outcome nowhere = outcome({"capture", "-o", "/nowhere/at/all/a.png"});
+  EXPECT_EQ(nowhere.exit, 1);
+  EXPECT_NE(nowhere.err.find("there is no folder /nowhere/at/all"), std::string::npos) << nowhere.err;
+}
+
+TEST(Run, ASettingsFileThatIsWrongIsThree) {
+  const ScratchFolder folder;
+  const std::string file = folder.file("a.json", "{").string();
+  EXPECT_EQ(outcome({"capture", "-o", "a.png", "--settings", file.c_str()}).exit, 3);
+  EXPECT_EQ(outcome({"capture", "-o", "a.png", "--settings", "/nowhere.json"}).exit, 3);
+}
+
+TEST(Run, ListsAreTablesOrJsonOfTheSame) {
+  const auto names = [](const char* command, const char* key) {
+    const Outcome table = outcome({command}), json = outcome({command, "--json"});
+    EXPECT_EQ(table.exit, 0);
+    EXPECT_EQ(json.err, "");
+    std::vector<std::string> found;
+    const auto all = nlohmann::json::parse(json.out);
+    for (const auto& each : all.at(key)) {
+      found.push_back(each.at("name"));
+      EXPECT_NE(table.out.find(found.back()), std::string::npos) << found.back();
+    }
+    return found;
+  };
+  EXPECT_EQ(names("modes", "modes").size(), taa_modes().size());
+  EXPECT_EQ(names("rigs", "rigs").size(), rigs().size());
+  EXPECT_EQ(names("views", "views").size(), answers<View>().size());
+  EXPECT_EQ(names("settings", "settings").size(), settings_table().size());
+  EXPECT_EQ(outcome({"modes", "--no-json"}).out, outcome({"modes"}).out);
+}
+
+TEST(Run, ModesSayTheirSettings) {
+  const auto modes = nlohmann::json::parse(outcome({"modes", "--json"}).out).at("modes");
+  for (const auto& mode : modes) {
+    Settings settings;
+    apply_settings_json(settings, mode.at("settings"));
+    EXPECT_EQ(settings.taa, settings_for_mode(mode.at("name").get<std::string>()).taa);
+  }
+}
+
+} // namespace
+} // namespace unghost

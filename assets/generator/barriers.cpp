@@ -10,8 +10,8 @@ using glm::dvec2, glm::dvec3;
 namespace {
 
 // The pressed steel beam in section: (towards the road, up).
-const std::vector<dvec2> beam = {{0.00, 0.44}, {0.055, 0.475}, {0.055, 0.525}, {0.00, 0.565}, {0.00, 0.615},
-                                 {0.055, 0.655}, {0.055, 0.705}, {0.00, 0.74}};
+const std::vector<dvec2> beam = {{0.00, 0.44},  {0.055, 0.475}, {0.055, 0.525}, {0.00, 0.565},
+                                 {0.00, 0.615}, {0.055, 0.655}, {0.055, 0.705}, {0.00, 0.74}};
 
 // `side` +1: the road is to the left of the rail.
 Triangles guard_rail(double left, double side) {
@@ -21,7 +21,8 @@ Triangles guard_rail(double left, double side) {
   const auto at = [&](int row, dvec2 p) { return sector_point(row * step, left + side * p.x, p.y); };
   for (size_t i = 0; i + 1 < beam.size(); ++i) {
     for (int row = 0; row < rows; ++row) {
-      const dvec3 a = at(row, beam[i]), b = at(row + 1, beam[i]), c = at(row + 1, beam[i + 1]), d = at(row, beam[i + 1]);
+      const dvec3 a = at(row, beam[i]), b = at(row + 1, beam[i]), c = at(row + 1, beam[i + 1]),
+                  d = at(row, beam[i + 1]);
       side > 0 ? add_flat_quad(t, a, b, c, d) : add_flat_quad(t, d, c, b, a);
       // The back of the same steel.
       side > 0 ? add_flat_quad(t, d, c, b, a) : add_flat_quad(t, a, b, c, d);
@@ -63,17 +64,19 @@ void add_tyre_wall(Glb& glb, const WorldMaterials& m) {
                                    {{m.rubber, low}, {m.kerb_white, top}});
   }
   for (int i = 0; i < 44; ++i)
-    glb.add_node("tyre_stack_" + std::to_string(i), -1, on_track(70 + 0.69 * i, Track::outer_barrier + 0.55, -0.02, i),
+    glb.add_node("tyre_stack_" + std::to_string(i), -1,
+                 on_track(70 + 0.69 * i, Track::outer_barrier + 0.55, -0.02, i),
                  {{"mesh", stacks[i % 3 == 0]}});
 }
 
-}  // namespace
+} // namespace
 
 void add_barriers(Glb& glb, const WorldMaterials& m) {
   const auto mesh = [&](const char* name, double left, double side) {
     return glb.add_mesh(name, {{m.galvanised, guard_rail(left, side)}, {m.post, rail_posts(left, side)}});
   };
-  const int outer = mesh("barrier_outer", Track::outer_barrier, 1), inner = mesh("barrier_inner", Track::inner_barrier, -1);
+  const int outer = mesh("barrier_outer", Track::outer_barrier, 1),
+            inner = mesh("barrier_inner", Track::inner_barrier, -1);
   for (int sector = 0; sector < Track::sectors; ++sector) {
     const std::string number = std::to_string(sector);
     glb.add_node("barrier_outer_" + number, -1, sector_placement(sector), {{"mesh", outer}});
@@ -82,4 +85,4 @@ void add_barriers(Glb& glb, const WorldMaterials& m) {
   add_tyre_wall(glb, m);
 }
 
-}  // namespace unghost::author
+} // namespace unghost::author

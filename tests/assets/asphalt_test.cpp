@@ -30,7 +30,7 @@ uint32_t word(const std::vector<uint8_t>& bytes, size_t at) {
 struct File {
   std::vector<uint8_t> bytes;
   json gltf;
-  size_t binary;  // where the buffer starts
+  size_t binary; // where the buffer starts
 
   explicit File(std::vector<uint8_t> whole) : bytes(std::move(whole)) {
     const size_t text = word(bytes, 12);
@@ -53,7 +53,8 @@ struct File {
     const json& accessor = gltf["accessors"][primitive["indices"].get<size_t>()];
     const size_t size = accessor["componentType"] == 5125 ? 4 : 2;
     std::vector<uint32_t> out(accessor["count"].get<size_t>(), 0);
-    for (size_t i = 0; i < out.size(); ++i) std::memcpy(&out[i], bytes.data() + start(accessor) + i * size, size);
+    for (size_t i = 0; i < out.size(); ++i)
+      std::memcpy(&out[i], bytes.data() + start(accessor) + i * size, size);
     return out;
   }
 
@@ -68,7 +69,8 @@ struct File {
     if (node.contains("mesh"))
       for (const json& primitive : gltf["meshes"][node["mesh"].get<size_t>()]["primitives"])
         count += indices(primitive).size() / 3;
-    for (const json& child : node.value("children", json::array())) count += triangles(gltf["nodes"][child.get<size_t>()]);
+    for (const json& child : node.value("children", json::array()))
+      count += triangles(gltf["nodes"][child.get<size_t>()]);
     return count;
   }
 };
@@ -78,7 +80,9 @@ const File& authored() {
   return file;
 }
 
-vec3 translation(const json& node) { return {node["translation"][0], node["translation"][1], node["translation"][2]}; }
+vec3 translation(const json& node) {
+  return {node["translation"][0], node["translation"][1], node["translation"][2]};
+}
 
 template <typename Visit> void each_primitive(const File& file, Visit visit) {
   for (const json& mesh : file.gltf["meshes"])
@@ -114,10 +118,12 @@ TEST(asphalt, the_car_is_a_tagged_vehicle_with_wheels_on_the_ground) {
 TEST(asphalt, a_wheel_reaches_its_radius_all_round_its_pivot) {
   const json& pivot = authored().node("wheel_front_left");
   const float radius = pivot["extras"]["wheel"]["radius"];
-  const json& mesh = authored().gltf["meshes"][authored().node("wheel_mesh_front_left")["mesh"].get<size_t>()];
+  const json& mesh =
+      authored().gltf["meshes"][authored().node("wheel_mesh_front_left")["mesh"].get<size_t>()];
   vec3 low(9), high(-9);
   for (const json& primitive : mesh["primitives"])
-    for (const vec3 p : authored().vectors(primitive["attributes"]["POSITION"])) low = min(low, p), high = max(high, p);
+    for (const vec3 p : authored().vectors(primitive["attributes"]["POSITION"]))
+      low = min(low, p), high = max(high, p);
   EXPECT_NEAR(low.y, -radius, 0.002);
   EXPECT_NEAR(high.y, radius, 0.002);
   EXPECT_NEAR(low.z, -radius, 0.002);
@@ -128,9 +134,10 @@ TEST(asphalt, the_car_has_the_size_of_one_and_clears_the_ground) {
   const json& mesh = authored().gltf["meshes"][authored().node("car_body")["mesh"].get<size_t>()];
   vec3 low(9), high(-9);
   for (const json& primitive : mesh["primitives"])
-    for (const vec3 p : authored().vectors(primitive["attributes"]["POSITION"])) low = min(low, p), high = max(high, p);
+    for (const vec3 p : authored().vectors(primitive["attributes"]["POSITION"]))
+      low = min(low, p), high = max(high, p);
   EXPECT_NEAR(high.z - low.z, 4.4, 0.25);
-  EXPECT_NEAR(high.x - low.x, 2.05, 0.15);  // over the mirrors
+  EXPECT_NEAR(high.x - low.x, 2.05, 0.15); // over the mirrors
   EXPECT_NEAR(high.y, 1.28, 0.05);
   EXPECT_GT(low.y, 0.08);
 }
@@ -152,7 +159,8 @@ TEST(asphalt, normals_are_unit_and_indices_in_range) {
 TEST(asphalt, bounds_are_the_tightest) {
   each_primitive(authored(), [](const std::string& name, const json& primitive) {
     vec3 low(1e9), high(-1e9);
-    for (const vec3 p : authored().vectors(primitive["attributes"]["POSITION"])) low = min(low, p), high = max(high, p);
+    for (const vec3 p : authored().vectors(primitive["attributes"]["POSITION"]))
+      low = min(low, p), high = max(high, p);
     const json& accessor = authored().gltf["accessors"][primitive["attributes"]["POSITION"].get<size_t>()];
     for (int i = 0; i < 3; ++i) {
       EXPECT_EQ(accessor["min"][size_t(i)].get<float>(), low[i]) << name;
@@ -192,4 +200,4 @@ TEST(asphalt, nothing_stands_between_the_cameras_and_the_car) {
   }
 }
 
-}  // namespace
+} // namespace

@@ -120,8 +120,8 @@ std::vector<Crease> creases() {
   const auto chin = [](dvec3 p) { return p.z > 1.3 ? p.y - chin_height : 1.0; };
   const auto sill = [](dvec3 p) { return p.y - floor_height - 0.025; };
   const auto rear = [](dvec3 p) { return p.z < -1.3 ? around(p) - ends(p) : 1.0; };
-  const auto cowl = [](dvec3 p) { return p.y > 0.80 ? lower_body(p) - cabin(p) : -1.0; };
-  return {{waist, 0.03}, {skirt, 0.02}, {chin, 0.0}, {sill, 0.0}, {rear, 0.6 * tail_fillet}, {cowl, 0.0}};
+  const auto cowl = [](dvec3 p) { return p.y > 0.72 ? lower_body(p) - cabin(p) : -1.0; };
+  return {{waist, 0.03}, {skirt, 0.02}, {chin, 0.0}, {sill, 0.0}, {rear, 0.6 * tail_fillet}, {cowl, 0.03}};
 }
 
 double body_distance(dvec3 p) { return blended(lower_body(p), cabin(p), 0.035); }

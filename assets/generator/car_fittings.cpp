@@ -91,8 +91,9 @@ void add_splitter(Triangles& to) {
   const int cells = 12;
   const double top = 0.205, low = 0.180;
   const auto at = [&](int i, double out, double y) {
-    const dvec3 p = on_nose(0.80 * i / cells, 0.215).point, n = body_normal(p);
-    return dvec3(p.x, y, p.z) + out * glm::normalize(dvec3(n.x, 0, n.z));
+    const dvec3 p = on_nose(0.79 * i / cells, 0.215).point, n = body_normal(p);
+    const double taper = out > 0 ? 1 - 0.75 * std::pow(double(i) / cells, 4) : 1;
+    return dvec3(p.x, y, p.z) + out * taper * glm::normalize(dvec3(n.x, 0, n.z));
   };
   for (int i = 0; i < cells; ++i) {
     const dvec3 a = at(i, 0.055, top - 0.006), b = at(i + 1, 0.055, top - 0.006);

@@ -36,11 +36,11 @@ const std::vector<Band>& bands() {
   static const std::vector<Band> list = {
       {Surface::asphalt, {-2.2, -2.02}},
       {Surface::line, {-2.02, -1.90}},
-      {Surface::asphalt, {-1.90, -1.35, -1.0, -0.75, -0.5, -0.2, 0.0, 0.2, 0.5, 0.75, 1.0, 1.35, 1.74}},
+      {Surface::asphalt, {-1.90, -1.1, -0.75, -0.4, 0.0, 0.4, 0.75, 1.1, 1.74}},
       {Surface::dashes, {1.74, 1.86}},
-      {Surface::asphalt, {1.86, 2.25, 2.6, 2.85, 3.1, 3.4, 3.78}},
+      {Surface::asphalt, {1.86, 2.6, 2.93, 3.3, 3.78}},
       {Surface::tar, {3.78, 3.83}},
-      {Surface::asphalt, {3.83, 4.1, 4.35, 4.6, 5.0, 5.5}},
+      {Surface::asphalt, {3.83, 4.1, 4.43, 4.8, 5.5}},
       {Surface::line, {5.50, 5.62}},
       {Surface::asphalt, {5.62, 5.8}},
   };
@@ -115,6 +115,7 @@ RoadParts road_sector(int variant) {
       }
     }
   }
+  parts.tar.colours.clear(); // tar is the same tar everywhere
   return parts;
 }
 

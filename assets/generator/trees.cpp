@@ -18,10 +18,10 @@ struct Kind {
   double card; // metres
 };
 
-constexpr Kind kinds[] = {{"tree_broad", 2.4, 6.4, 6.4, 9, 230, 1.55},
-                          {"tree_tall", 2.0, 9.5, 3.4, 8, 210, 1.35},
-                          {"tree_young", 1.5, 4.2, 3.2, 6, 150, 1.05},
-                          {"bush", 0.15, 1.5, 2.4, 5, 60, 0.80}};
+constexpr Kind kinds[] = {{"tree_broad", 2.4, 6.4, 6.4, 9, 165, 1.75},
+                          {"tree_tall", 2.0, 9.5, 3.4, 8, 140, 1.55},
+                          {"tree_young", 1.5, 4.2, 3.2, 6, 105, 1.20},
+                          {"bush", 0.15, 1.5, 2.4, 5, 44, 0.88}};
 
 dvec3 random_direction(uint32_t a, uint32_t b) {
   const double up = 2 * random_unit(a, b, 1) - 1, angle = 2 * Track::pi * random_unit(a, b, 2);
@@ -73,12 +73,12 @@ Triangles trunk(const Kind& kind) {
   Triangles t;
   const double thick = 0.05 * kind.width, top = kind.trunk + 0.55 * kind.height;
   add_lathe(t, dvec3(0), {0, 1, 0},
-            {{1.7 * thick, -0.3}, {1.1 * thick, 0.35}, {0.9 * thick, kind.trunk}, {0.25 * thick, top}}, 8);
-  for (uint32_t i = 0; i < 4; ++i) {
-    const double angle = 1.7 * i + 0.4;
+            {{1.7 * thick, -0.3}, {1.1 * thick, 0.35}, {0.9 * thick, kind.trunk}, {0.25 * thick, top}}, 6);
+  for (uint32_t i = 0; i < 3; ++i) {
+    const double angle = 2.1 * i + 0.4;
     const dvec3 along = glm::normalize(dvec3(std::cos(angle), 1.1, std::sin(angle)));
     add_lathe(t, dvec3(0, kind.trunk + 0.06 * kind.height * i, 0), along,
-              {{0.5 * thick, 0}, {0.15 * thick, 0.30 * kind.width}}, 5);
+              {{0.5 * thick, 0}, {0.15 * thick, 0.30 * kind.width}}, 4);
   }
   return t;
 }
@@ -88,7 +88,7 @@ Triangles copse() {
   Triangles t;
   for (uint32_t i = 0; i < 6; ++i) {
     const double size = 7 + 4 * random_unit(i, 95);
-    const Kind kind{"", 0.4, size, 0.85 * size, 5, 40, 0.36 * size};
+    const Kind kind{"", 0.4, size, 0.85 * size, 5, 28, 0.42 * size};
     const dvec3 place(26 * (random_unit(i, 96) - 0.5), 0, 12 * (random_unit(i, 97) - 0.5));
     t.append(transformed(crown(kind, 200 + i), glm::dmat3(1.0), place));
   }
@@ -120,8 +120,8 @@ void add_trees(Glb& glb, const WorldMaterials& m) {
     plant(glb, "tree_" + std::to_string(i), meshes[kind], along, left, 0.8 + 0.5 * pick(5), 6.28 * pick(6));
   }
   const int wood = glb.add_mesh("copse", {{m.leaves, copse()}});
-  for (uint32_t i = 0; i < 56; ++i)
-    plant(glb, "copse_" + std::to_string(i), wood, Track::length * (i + 0.8 * random_unit(i, 98)) / 56,
+  for (uint32_t i = 0; i < 48; ++i)
+    plant(glb, "copse_" + std::to_string(i), wood, Track::length * (i + 0.8 * random_unit(i, 98)) / 48,
           -62 - 110 * random_unit(i, 99), 0.9 + 0.7 * random_unit(i, 100), random_unit(i, 101) - 0.5);
 }
 

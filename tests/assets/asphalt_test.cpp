@@ -1,19 +1,22 @@
 // The committed scene is the one that the generator writes, and it is what the program takes it for.
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <fstream>
 #include <iterator>
-#include <map>
 #include <set>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include <glm/glm.hpp>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
+#include <png.h>
 
 #include "assets/generator/author.h"
+#include "assets/generator/textures.h"
 
 namespace {
 
@@ -184,6 +187,55 @@ TEST(asphalt, triangles_face_where_their_normals_point) {
       ASSERT_GT(dot(normalize(face), n[a] + n[b] + n[c]), 0) << name << " triangle " << i / 3;
     }
   });
+}
+
+// The linear luminance of the asphalt's picture, halved `halvings` times as mipmaps are.
+std::vector<float> asphalt_luminance(int halvings, int& side) {
+  const std::vector<uint8_t> file = unghost::author::asphalt_colour_png();
+  png_image png{};
+  png.version = PNG_IMAGE_VERSION;
+  EXPECT_TRUE(png_image_begin_read_from_memory(&png, file.data(), file.size()));
+  png.format = PNG_FORMAT_LINEAR_Y;
+  side = int(png.width);
+  std::vector<uint16_t> wide(PNG_IMAGE_SIZE(png) / 2);
+  EXPECT_TRUE(png_image_finish_read(&png, nullptr, wide.data(), 0, nullptr));
+  std::vector<float> level;
+  for (const uint16_t value : wide) level.push_back(value / 65535.0f);
+  for (; halvings > 0; --halvings, side /= 2) {
+    std::vector<float> half;
+    for (int y = 0; y < side; y += 2) {
+      for (int x = 0; x < side; x += 2) {
+        const size_t i = size_t(y * side + x), below = i + size_t(side);
+        half.push_back((level[i] + level[i + 1] + level[below] + level[below + 1]) / 4);
+      }
+    }
+    level = half;
+  }
+  return level;
+}
+
+// What makes the scene: a box of 3x3 pixels spans so much of the road's own range that it rejects next to
+// nothing.
+TEST(asphalt, contrast_between_neighbours_lasts_from_stones_to_hands) {
+  for (int halvings = 0; halvings <= 4; ++halvings) { // 3 mm to 5 cm a texel
+    int side = 0;
+    const std::vector<float> level = asphalt_luminance(halvings, side);
+    double mean = 0, range = 0;
+    for (int y = 1; y + 1 < side; ++y) {
+      for (int x = 1; x + 1 < side; ++x) {
+        float low = 1, high = 0;
+        for (int i = 0; i < 9; ++i) {
+          const float value = level[size_t((y + i / 3 - 1) * side + x + i % 3 - 1)];
+          low = std::min(low, value), high = std::max(high, value);
+        }
+        range += high - low;
+        mean += level[size_t(y * side + x)];
+      }
+    }
+    const double count = double(side - 2) * (side - 2);
+    EXPECT_NEAR(mean / count, 0.16, 0.03);
+    EXPECT_GT(range / count, 0.13) << halvings;
+  }
 }
 
 TEST(asphalt, nothing_stands_between_the_cameras_and_the_car) {

@@ -16,8 +16,8 @@ glm::dmat4 relative_to(glm::dvec3 eye, glm::dmat4 world) {
 }
 
 struct Objects {
-  std::vector<ObjectData> data;
   std::vector<glm::dmat4> eye_from_object;
+  std::vector<glm::mat4x3> previous_eye_from_object;
   std::vector<uint8_t> moved, mirrored;
   bool anything_moved = false;
 };
@@ -28,20 +28,11 @@ Objects place_objects(const FrameInput& input, const Scene& scene, const GpuScen
   Objects objects;
   for (const int node : gpu.object_nodes) {
     const glm::dmat4 eye_from_object = relative_to(input.now.eye, now[size_t(node)]);
-    const glm::dmat3 linear(eye_from_object);
-    const double determinant = glm::determinant(linear);
     const bool moved = now[size_t(node)] != before[size_t(node)];
-    // a flattened object has no inverse; its cofactors still know where its normals point
-    const glm::dmat3 cofactors(glm::cross(linear[1], linear[2]), glm::cross(linear[2], linear[0]),
-                               glm::cross(linear[0], linear[1]));
-    objects.data.push_back({.eye_from_object = glm::mat4x3(eye_from_object),
-                            .previous_eye_from_object =
-                                glm::mat4x3(relative_to(input.before.eye, before[size_t(node)])),
-                            .normal_from_object = glm::mat3(cofactors * (determinant < 0 ? -1.0 : 1.0)),
-                            .id = uint32_t(node + 1)});
     objects.eye_from_object.push_back(eye_from_object);
     objects.moved.push_back(moved);
-    objects.mirrored.push_back(determinant < 0);
+    objects.previous_eye_from_object.emplace_back(relative_to(input.before.eye, before[size_t(node)]));
+    objects.mirrored.push_back(glm::determinant(glm::dmat3(eye_from_object)) < 0);
     objects.anything_moved |= moved;
   }
   return objects;
@@ -135,7 +126,9 @@ FrameSetup describe_frame(const FrameInput& input, const Scene& scene, const Gpu
   const std::vector<glm::dmat4> now = pose(scene, input.now);
   const Objects objects = place_objects(input, scene, gpu, now);
   const std::vector<LightData> lights = place_lights(input, scene, now);
-  const BufferSlice object_slice = memory.push_range(objects.data), light_slice = memory.push_range(lights);
+  const std::vector<glm::mat4x3> eye_from_object(objects.eye_from_object.begin(), objects.eye_from_object.end());
+  const BufferSlice previous = memory.push_range(objects.previous_eye_from_object),
+                    light_slice = memory.push_range(lights);
 
   FrameSetup setup;
   std::vector<const TaaSettings*> jitters;
@@ -154,7 +147,8 @@ FrameSetup describe_frame(const FrameInput& input, const Scene& scene, const Gpu
                     .scene = gpu,
                     .size = {input.width, input.height},
                     .constants = memory.push_value(constants),
-                    .objects = object_slice,
+                    .eye_from_object = eye_from_object,
+                    .previous_eye_from_object = previous,
                     .lights = light_slice,
                     .light_count = uint32_t(lights.size()),
                     .visible = {},

@@ -1,4 +1,4 @@
-// What drawing geometry reads: the objects, the materials and their textures.
+// What drawing geometry reads: the draw itself, and the textures of its material.
 #ifndef UNGHOST_DRAW_GLSL
 #define UNGHOST_DRAW_GLSL
 
@@ -7,9 +7,9 @@
 layout(constant_id = 0) const uint features = 0;
 layout(constant_id = 1) const bool moved = false;
 
-layout(set = 0, binding = DRAW_OBJECTS, scalar) readonly buffer Objects { ObjectData objects[]; };
-layout(set = 0, binding = DRAW_MATERIALS, scalar) readonly buffer Materials { MaterialData materials[]; };
-layout(push_constant, scalar) uniform Push { uint material_index; };
+layout(set = 0, binding = DRAW_PREVIOUS, scalar) readonly buffer Previous { mat4x3 previous_eye_from_object[]; };
+layout(set = 0, binding = DRAW_TEXTURE_PLACES, scalar) readonly buffer Places { TexturePlaces texture_places[]; };
+layout(push_constant, scalar) uniform Push { DrawPush draw; };
 
 #ifdef UNGHOST_FRAGMENT
 layout(set = 1, binding = 0) uniform sampler2D base_colour_map;
@@ -24,8 +24,9 @@ bool has(uint feature) { return (features & feature) != 0; }
 
 /// Texture coordinates of texture i (the order of the HAS_ bits).
 vec2 uv_of(uint i, vec2 uv0, vec2 uv1) {
-  vec2 uv = (materials[material_index].uv_sets >> i & 1) != 0 ? uv1 : uv0;
-  return materials[material_index].uv_transforms[i] * vec3(uv, 1);
+  if (!has(HAS_TEXTURE_PLACES)) return uv0;
+  vec2 uv = (texture_places[draw.material_index].uv_sets >> i & 1) != 0 ? uv1 : uv0;
+  return texture_places[draw.material_index].uv_transforms[i] * vec3(uv, 1);
 }
 #endif
 

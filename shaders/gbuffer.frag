@@ -8,7 +8,6 @@ layout(location = 1) in vec4 in_tangent;
 layout(location = 2) in vec4 in_uv;
 layout(location = 3) in vec4 in_colour;
 layout(location = 4) in vec3 in_previous_eye;
-layout(location = 5) flat in uint in_id;
 
 layout(location = 0) out vec4 out_albedo;
 layout(location = 1) out vec2 out_normal;
@@ -26,7 +25,7 @@ layout(location = 5) out uint out_id;
 // A mirror would need rays; and roughness 0 is taken: it marks a surface that light does not change.
 const float least_roughness = 0.03;
 
-vec3 shading_normal(MaterialData m) {
+vec3 shading_normal(float normal_scale) {
   vec3 n = normalize(gl_FrontFacing ? in_normal : -in_normal);
   if (!has(HAS_NORMAL)) return n;
   vec3 t = in_tangent.xyz - n * dot(in_tangent.xyz, n);
@@ -35,7 +34,7 @@ vec3 shading_normal(MaterialData m) {
   t *= inversesqrt(length2);
   vec3 b = cross(n, t) * in_tangent.w;
   vec3 mapped = texture(normal_map, uv_of(2, in_uv.xy, in_uv.zw)).xyz * 2 - 1;
-  mapped.xy *= m.normal_scale;
+  mapped.xy *= normal_scale;
   return normalize(t * mapped.x + b * mapped.y + n * max(mapped.z, 1e-3));
 }
 
@@ -48,7 +47,7 @@ vec3 motion_of_object() {
 }
 
 void main() {
-  MaterialData m = materials[material_index];
+  const MaterialData m = draw.material;
   vec4 base = m.base_colour * in_colour;
   if (has(HAS_BASE_COLOUR)) base *= texture(base_colour_map, uv_of(0, in_uv.xy, in_uv.zw));
   if (has(HAS_ALPHA_MASK) && base.a < m.alpha_cutoff) discard;
@@ -64,7 +63,7 @@ void main() {
   if (has(HAS_COAT_ROUGHNESS)) coat.y *= texture(coat_roughness_map, uv_of(6, in_uv.xy, in_uv.zw)).g;
 
   out_albedo = vec4(sqrt(base.rgb), occlusion);
-  out_normal = octahedral_from_direction(shading_normal(m));
+  out_normal = octahedral_from_direction(shading_normal(m.normal_scale));
   out_material = vec4(max(roughness_metalness.x, least_roughness), roughness_metalness.y, coat.x,
                       max(coat.y, least_roughness));
   if (has(IS_UNLIT)) out_material.x = 0;
@@ -77,6 +76,6 @@ void main() {
   out_motion = moved ? vec4(motion_of_object(), 1) : vec4(0);
 #endif
 #ifdef WRITES_OBJECT
-  out_id = in_id;
+  out_id = draw.object_id;
 #endif
 }

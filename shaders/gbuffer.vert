@@ -14,14 +14,15 @@ layout(location = 1) out vec4 out_tangent;
 layout(location = 2) out vec4 out_uv;
 layout(location = 3) out vec4 out_colour;
 layout(location = 4) out vec3 out_previous_eye;
-layout(location = 5) flat out uint out_id;
 
 void main() {
-  gl_Position = frame.clip_from_eye * vec4(objects[gl_InstanceIndex].eye_from_object * vec4(position, 1), 1);
-  out_normal = objects[gl_InstanceIndex].normal_from_object * normal;
-  out_tangent = vec4(mat3(objects[gl_InstanceIndex].eye_from_object) * tangent.xyz, tangent.w);
+  mat3 m = mat3(draw.eye_from_object);
+  gl_Position = frame.clip_from_eye * vec4(draw.eye_from_object * vec4(position, 1), 1);
+  // cofactors: what is flattened has no inverse, and still knows where its normals point
+  vec3 cofactor = cross(m[1], m[2]);
+  out_normal = mat3(cofactor, cross(m[2], m[0]), cross(m[0], m[1])) * normal * sign(dot(m[0], cofactor));
+  out_tangent = vec4(m * tangent.xyz, tangent.w);
   out_uv = vec4(uv0, uv1);
   out_colour = colour;
-  out_previous_eye = moved ? objects[gl_InstanceIndex].previous_eye_from_object * vec4(position, 1) : vec3(0);
-  out_id = objects[gl_InstanceIndex].id;
+  out_previous_eye = moved ? previous_eye_from_object[gl_InstanceIndex] * vec4(position, 1) : vec3(0);
 }

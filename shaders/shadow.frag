@@ -7,7 +7,7 @@ layout(location = 0) in vec4 in_uv;
 layout(location = 1) in float in_alpha;
 
 void main() {
-  float alpha = materials[material_index].base_colour.a * in_alpha;
+  float alpha = draw.material.base_colour.a * in_alpha;
   if (has(HAS_BASE_COLOUR)) alpha *= texture(base_colour_map, uv_of(0, in_uv.xy, in_uv.zw)).a;
-  if (alpha < materials[material_index].alpha_cutoff) discard;
+  if (alpha < draw.material.alpha_cutoff) discard;
 }

@@ -11,7 +11,7 @@ layout(location = 0) out vec4 out_uv;
 layout(location = 1) out float out_alpha;
 
 void main() {
-  vec4 at = frame.shadow_from_eye * vec4(objects[gl_InstanceIndex].eye_from_object * vec4(position, 1), 1);
+  vec4 at = frame.shadow_from_eye * vec4(draw.eye_from_object * vec4(position, 1), 1);
   gl_Position = vec4(at.xy * 2 - 1, at.z, 1);
   if (features != 0) {
     out_uv = vec4(uv0, uv1);

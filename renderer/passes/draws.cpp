@@ -29,7 +29,7 @@ GraphicsDesc pipeline_of(const PassCommands& commands, const DrawStyle& style, u
   if (style.shadow) {
     // what a shadow does not see must not make more pipelines of one
     const bool masked = (features & HAS_ALPHA_MASK) != 0;
-    desc.constants = {masked ? features & (HAS_ALPHA_MASK | HAS_BASE_COLOUR) : 0u, 0u};
+    desc.constants = {masked ? features & (HAS_ALPHA_MASK | HAS_BASE_COLOUR | HAS_TEXTURE_PLACES) : 0u, 0u};
     if (!masked) desc.fragment.clear();
     desc.compare = VK_COMPARE_OP_LESS_OR_EQUAL;
     desc.depth_bias = shadow_bias;
@@ -41,8 +41,8 @@ GraphicsDesc pipeline_of(const PassCommands& commands, const DrawStyle& style, u
 }  // namespace
 
 std::vector<Binding> draw_bindings(const FrameContext& in) {
-  return {uniform(FRAME_BINDING, in.constants), buffer(DRAW_OBJECTS, in.objects),
-          buffer(DRAW_MATERIALS, in.scene.materials.all())};
+  return {uniform(FRAME_BINDING, in.constants), buffer(DRAW_PREVIOUS, in.previous_eye_from_object),
+          buffer(DRAW_TEXTURE_PLACES, in.scene.texture_places.all())};
 }
 
 void record_draws(PassCommands& commands, const FrameContext& in, const std::vector<const Draw*>& draws,
@@ -63,7 +63,11 @@ void record_draws(PassCommands& commands, const FrameContext& in, const std::vec
     vkCmdSetCullMode(cmd, draw->double_sided || style.shadow ? VK_CULL_MODE_NONE : VK_CULL_MODE_BACK_BIT);
     vkCmdSetFrontFace(cmd, in.mirrored[draw->object] != 0 ? VK_FRONT_FACE_CLOCKWISE : VK_FRONT_FACE_COUNTER_CLOCKWISE);
     vkCmdSetStencilReference(cmd, VK_STENCIL_FACE_FRONT_AND_BACK, draw->tag);
-    commands.push(std::as_bytes(std::span(&draw->material, 1)));
+    const DrawPush push{.eye_from_object = in.eye_from_object[draw->object],
+                        .material = in.scene.materials[draw->material],
+                        .material_index = draw->material,
+                        .object_id = uint32_t(in.scene.object_nodes[draw->object] + 1)};
+    commands.push(std::as_bytes(std::span(&push, 1)));
     vkCmdDrawIndexed(cmd, draw->index_count, 1, draw->first_index, int32_t(draw->first_vertex), draw->object);
     before = draw;
   }

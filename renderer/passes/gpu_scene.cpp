@@ -16,7 +16,10 @@ uint32_t features_of(const Material& material) {
   uint32_t features = 0;
   const auto uses = textures_of(material);
   for (uint32_t i = 0; i < MATERIAL_TEXTURES; ++i)
-    if (uses[i]->image >= 0) features |= 1u << i;
+    if (uses[i]->image >= 0) {
+      features |= 1u << i;
+      if (uses[i]->uv_set != 0 || uses[i]->transform != TextureUse{}.transform) features |= HAS_TEXTURE_PLACES;
+    }
   if (material.alpha_mode == AlphaMode::mask) features |= HAS_ALPHA_MASK;
   if (material.unlit) features |= IS_UNLIT;
   return features;
@@ -28,24 +31,29 @@ bool shines(const Material& material) {
 
 std::vector<MaterialData> material_data(const Scene& scene) {
   std::vector<MaterialData> all;
-  for (const Material& m : scene.materials) {
-    MaterialData data{.base_colour = m.base_colour,
-                      .emissive = m.emissive,
-                      .metalness = m.metalness,
-                      .roughness = m.roughness,
-                      .coat = m.clearcoat,
-                      .coat_roughness = m.clearcoat_roughness,
-                      .normal_scale = m.normal_scale,
-                      .occlusion_strength = m.occlusion_strength,
-                      .alpha_cutoff = m.alpha_cutoff,
-                      .uv_transforms = {},
-                      .uv_sets = 0};
-    const auto uses = textures_of(m);
+  for (const Material& m : scene.materials)
+    all.push_back({.base_colour = m.base_colour,
+                   .emissive = m.emissive,
+                   .metalness = m.metalness,
+                   .roughness = m.roughness,
+                   .coat = m.clearcoat,
+                   .coat_roughness = m.clearcoat_roughness,
+                   .normal_scale = m.normal_scale,
+                   .occlusion_strength = m.occlusion_strength,
+                   .alpha_cutoff = m.alpha_cutoff});
+  return all;
+}
+
+std::vector<TexturePlaces> places_of_textures(const Scene& scene) {
+  std::vector<TexturePlaces> all;
+  for (const Material& material : scene.materials) {
+    TexturePlaces places{};
+    const auto uses = textures_of(material);
     for (uint32_t i = 0; i < MATERIAL_TEXTURES; ++i) {
-      data.uv_transforms[i] = uses[i]->transform;
-      if (uses[i]->uv_set == 1) data.uv_sets |= 1u << i;
+      places.uv_transforms[i] = uses[i]->transform;
+      if (uses[i]->uv_set == 1) places.uv_sets |= 1u << i;
     }
-    all.push_back(data);
+    all.push_back(places);
   }
   return all;
 }
@@ -53,9 +61,10 @@ std::vector<MaterialData> material_data(const Scene& scene) {
 }  // namespace
 
 GpuScene::GpuScene(Device& device, const Scene& scene)
-    : vertices(upload(device, scene.vertices, VK_BUFFER_USAGE_VERTEX_BUFFER_BIT)),
+    : materials(material_data(scene)),
+      vertices(upload(device, scene.vertices, VK_BUFFER_USAGE_VERTEX_BUFFER_BIT)),
       indices(upload(device, scene.indices, VK_BUFFER_USAGE_INDEX_BUFFER_BIT)),
-      materials(upload(device, material_data(scene), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT)),
+      texture_places(upload(device, places_of_textures(scene), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT)),
       textures(device, scene) {
   for (size_t n = 0; n < scene.nodes.size(); ++n) {
     const Node& node = scene.nodes[n];

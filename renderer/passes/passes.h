@@ -13,7 +13,8 @@ struct FrameContext {
   const GpuScene& scene;
   VkExtent2D size{};
   BufferSlice constants;        // FrameConstants
-  BufferSlice objects;          // ObjectData of every object
+  std::vector<glm::mat4x3> eye_from_object;  // by object
+  BufferSlice previous_eye_from_object;      // the same last frame, from that frame's eye
   BufferSlice lights;           // LightData
   uint32_t light_count = 0;
   std::vector<const Draw*> visible;     // to the camera, near ones first

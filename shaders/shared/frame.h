@@ -37,18 +37,6 @@ struct FrameConstants {
   float shadow_texels;          // along a side of the shadow map
 };
 
-struct DrawPush {
-  uint first_object;
-  uint material;
-};
-
-struct ObjectData {
-  mat4x3 eye_from_object;
-  mat4x3 previous_eye_from_object;
-  mat3 normal_from_object;
-  uint id;  // node index + 1
-};
-
 /// Which textures a material has: a specialization constant of the G-buffer.
 SHARED_CONSTANT HAS_BASE_COLOUR = 1;
 SHARED_CONSTANT HAS_METALLIC_ROUGHNESS = 2;
@@ -60,6 +48,7 @@ SHARED_CONSTANT HAS_COAT_ROUGHNESS = 64;
 SHARED_CONSTANT MATERIAL_TEXTURES = 7;
 SHARED_CONSTANT HAS_ALPHA_MASK = 128;
 SHARED_CONSTANT IS_UNLIT = 256;
+SHARED_CONSTANT HAS_TEXTURE_PLACES = 512;  // some texture reads uv1, or a transformed uv
 
 struct MaterialData {
   vec4 base_colour;
@@ -68,8 +57,21 @@ struct MaterialData {
   float coat, coat_roughness;
   float normal_scale, occlusion_strength;
   float alpha_cutoff;
+};
+
+/// Where a material with HAS_TEXTURE_PLACES reads its textures.
+struct TexturePlaces {
   mat3x2 uv_transforms[7];
   uint uv_sets;  // bit i: texture i reads uv1
+};
+
+/// All that a draw of something at rest needs. Push constants, because a software device reads them once for a whole
+/// vector of pixels, and a buffer once for each.
+struct DrawPush {
+  mat4x3 eye_from_object;
+  MaterialData material;
+  uint material_index;
+  uint object_id;  // node index + 1
 };
 
 /// KHR_lights_punctual, in this frame's eye space.

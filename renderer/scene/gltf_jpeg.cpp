@@ -11,8 +11,9 @@ namespace unghost::gltf {
 
 namespace {
 
-// A progressive file may repeat scans for ever: each costs a pass over the whole picture.
-constexpr int most_scans = 100;
+// A progressive file may repeat scans for ever: each costs a pass over the whole picture. Encoders write
+// about ten.
+constexpr int most_scans = 32;
 constexpr long library_memory = 768L << 20;
 
 struct Reader {
@@ -34,8 +35,10 @@ Reader* reader_of(j_common_ptr jpeg) { return static_cast<Reader*>(jpeg->client_
 }
 
 void on_message(j_common_ptr jpeg, int level) {
-  // A file that ends too early would be filled with gray; other warnings are about details.
-  if (level < 0 && jpeg->err->msg_code == JWRN_JPEG_EOF) leave(jpeg);
+  // A file or a scan that ends too early would be filled with gray, at length; other warnings are about
+  // details.
+  const int code = jpeg->err->msg_code;
+  if (level < 0 && (code == JWRN_JPEG_EOF || code == JWRN_HIT_MARKER)) leave(jpeg);
 }
 
 void on_progress(j_common_ptr jpeg) {

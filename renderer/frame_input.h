@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -54,6 +55,7 @@ struct Wanted {
 struct FrameInput {
   Instant now, before;  // the same where nothing moved
   uint64_t index = 0;   // chooses the jitter
+  std::optional<glm::dvec2> jitter_px;  // instead of every mode's own: a sample of a supersampled frame
   bool cut = false;     // nothing of before may be used
   uint32_t width = 1280, height = 720;
   Settings settings;    // light, stage and view; each run brings its own taa

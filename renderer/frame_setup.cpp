@@ -147,7 +147,8 @@ FrameSetup describe_frame(const FrameInput& input, const Scene& scene, const Gpu
   }
   for (const TaaSettings* taa : jitters) {
     FrameConstants constants{};
-    describe_camera(constants, input, jitter_offset(taa->policy.jitter, input.index) * double(taa->jitter_scale));
+    const glm::dvec2 own = jitter_offset(taa->policy.jitter, input.index) * double(taa->jitter_scale);
+    describe_camera(constants, input, input.jitter_px.value_or(own));
     const uint64_t version = describe_sun(constants, input);
     FrameContext in{.input = input,
                     .scene = gpu,

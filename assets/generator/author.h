@@ -9,4 +9,4 @@ namespace unghost::author {
 /// `asphalt.glb`, whole. The same bytes on every run.
 std::vector<uint8_t> author_asphalt();
 
-}  // namespace unghost::author
+} // namespace unghost::author

@@ -24,7 +24,7 @@ std::vector<Part> merged(const std::vector<Part>& parts) {
   return out;
 }
 
-}  // namespace
+} // namespace
 
 int add_car(Glb& glb) {
   const CarMaterials materials = add_car_materials(glb);
@@ -44,9 +44,9 @@ int add_car(Glb& glb) {
       const Placement hub{.translation = {left ? Chassis::wheel_x : -Chassis::wheel_x, Chassis::wheel_radius,
                                           front ? Chassis::axle_z : -Chassis::axle_z}};
       const Placement outwards{.rotation = left ? glm::dquat(1, 0, 0, 0) : glm::dquat(0, 0, 1, 0)};
-      const int pivot = glb.add_node(
-          "wheel_" + place, car, hub,
-          {{"extras", {{"wheel", {{"radius", Chassis::wheel_radius}, {"steers", front}}}}}});
+      const int pivot =
+          glb.add_node("wheel_" + place, car, hub,
+                       {{"extras", {{"wheel", {{"radius", Chassis::wheel_radius}, {"steers", front}}}}}});
       glb.add_node("wheel_mesh_" + place, pivot, outwards, {{"mesh", wheel}});
       glb.add_node("caliper_" + place, car, {hub.translation, outwards.rotation},
                    {{"mesh", left ? leading : trailing}});
@@ -55,4 +55,4 @@ int add_car(Glb& glb) {
   return car;
 }
 
-}  // namespace unghost::author
+} // namespace unghost::author

@@ -8,4 +8,4 @@ namespace unghost::author {
 /// The root's node index; the car stands on y = 0 at the origin and looks to +z.
 int add_car(Glb& glb);
 
-}  // namespace unghost::author
+} // namespace unghost::author

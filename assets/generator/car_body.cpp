@@ -12,7 +12,7 @@ using glm::dvec2, glm::dvec3;
 
 namespace {
 
-constexpr double elsewhere = 0.5;  // what a field says where its view does not look: far outside
+constexpr double elsewhere = 0.5; // what a field says where its view does not look: far outside
 
 double side_view(const Outline& outline, dvec3 p) {
   return p.x > 0.35 ? outline.distance({p.z, p.y}) : elsewhere;
@@ -37,13 +37,37 @@ double arch(dvec3 p, double axle) {
 }
 
 void cut_glass(PanelMesh& mesh) {
-  const Outline side = Outline::smooth({{0.60, 0.935}, {0.42, 1.018}, {0.20, 1.108}, {-0.05, 1.158}, {-0.35, 1.172},
-                                        {-0.70, 1.148}, {-1.02, 1.088}, {-1.28, 1.012}, {-1.27, 0.985}, {-0.95, 0.972},
-                                        {-0.35, 0.952}, {0.20, 0.938}, {0.50, 0.925}});
-  const Outline screen = Outline::rounded({{0.83, -0.8}, {0.83, 0.0}, {0.795, 0.35}, {0.69, 0.64}, {0.44, 0.575},
-                                           {0.05, 0.475}, {0.075, 0.25}, {0.09, 0.0}, {0.09, -0.8}});
-  const Outline back = Outline::rounded({{-0.98, -0.6}, {-0.98, 0.0}, {-0.99, 0.25}, {-1.02, 0.44}, {-1.40, 0.425},
-                                         {-1.72, 0.36}, {-1.78, 0.15}, {-1.79, 0.0}, {-1.79, -0.6}});
+  const Outline side = Outline::smooth({{0.60, 0.935},
+                                        {0.42, 1.018},
+                                        {0.20, 1.108},
+                                        {-0.05, 1.158},
+                                        {-0.35, 1.172},
+                                        {-0.70, 1.148},
+                                        {-1.02, 1.088},
+                                        {-1.28, 1.012},
+                                        {-1.27, 0.985},
+                                        {-0.95, 0.972},
+                                        {-0.35, 0.952},
+                                        {0.20, 0.938},
+                                        {0.50, 0.925}});
+  const Outline screen = Outline::rounded({{0.83, -0.8},
+                                           {0.83, 0.0},
+                                           {0.795, 0.35},
+                                           {0.69, 0.64},
+                                           {0.44, 0.575},
+                                           {0.05, 0.475},
+                                           {0.075, 0.25},
+                                           {0.09, 0.0},
+                                           {0.09, -0.8}});
+  const Outline back = Outline::rounded({{-0.98, -0.6},
+                                         {-0.98, 0.0},
+                                         {-0.99, 0.25},
+                                         {-1.02, 0.44},
+                                         {-1.40, 0.425},
+                                         {-1.72, 0.36},
+                                         {-1.78, 0.15},
+                                         {-1.79, 0.0},
+                                         {-1.79, -0.6}});
   for (const Outline* view : {&screen, &back})
     mesh.cut([&](dvec3 p) { return top_view(*view, p); }, Panel::paint, Panel::trim);
   mesh.cut([&](dvec3 p) { return side_view(side, p); }, Panel::paint, Panel::trim);
@@ -55,34 +79,74 @@ void cut_glass(PanelMesh& mesh) {
 }
 
 void cut_ends(PanelMesh& mesh) {
-  const Outline lamp = Outline::smooth({{0.47, 0.572}, {0.58, 0.556}, {0.72, 0.568}, {0.83, 0.612}, {0.865, 0.668},
-                                        {0.80, 0.672}, {0.68, 0.640}, {0.56, 0.612}});
-  const Outline mouth = Outline::rounded({{-0.5, 0.47}, {0.42, 0.47}, {0.56, 0.40}, {0.50, 0.27}, {-0.5, 0.27}});
-  const Outline duct = Outline::rounded({{0.66, 0.42}, {0.80, 0.44}, {0.79, 0.28}, {0.63, 0.28}});
-  const Outline tail = Outline::rounded({{-0.5, 0.800}, {0.55, 0.800}, {0.90, 0.815}, {0.90, 0.735}, {0.55, 0.745},
-                                         {0.45, 0.765}, {-0.5, 0.765}}, 2);
-  const Outline diffuser = Outline::rounded({{-0.5, 0.37}, {0.52, 0.37}, {0.64, 0.30}, {0.70, 0.1}, {-0.5, 0.1}}, 2);
+  const Outline lamp = Outline::smooth({{0.47, 0.574},
+                                        {0.58, 0.556},
+                                        {0.70, 0.566},
+                                        {0.79, 0.600},
+                                        {0.832, 0.650},
+                                        {0.80, 0.668},
+                                        {0.68, 0.640},
+                                        {0.56, 0.612}});
+  const Outline mouth =
+      Outline::rounded({{-0.5, 0.47}, {0.42, 0.47}, {0.56, 0.40}, {0.50, 0.27}, {-0.5, 0.27}});
+  const Outline duct = Outline::rounded({{0.67, 0.40}, {0.80, 0.42}, {0.79, 0.27}, {0.62, 0.27}});
+  const Outline band = Outline::rounded({{-0.5, 0.805},
+                                         {0.60, 0.805},
+                                         {0.80, 0.812},
+                                         {0.855, 0.79},
+                                         {0.83, 0.705},
+                                         {0.62, 0.700},
+                                         {-0.5, 0.715}},
+                                        2);
+  const Outline tail = Outline::rounded({{-0.5, 0.775},
+                                         {0.50, 0.775},
+                                         {0.62, 0.792},
+                                         {0.83, 0.797},
+                                         {0.80, 0.722},
+                                         {0.62, 0.718},
+                                         {0.50, 0.750},
+                                         {-0.5, 0.750}},
+                                        2);
+  const Outline diffuser =
+      Outline::rounded({{-0.5, 0.37}, {0.52, 0.37}, {0.64, 0.30}, {0.70, 0.1}, {-0.5, 0.1}}, 2);
   mesh.cut([&](dvec3 p) { return front_view(lamp, p); }, Panel::paint, Panel::lamp);
   mesh.cut([&](dvec3 p) { return front_view(lamp, p) + 0.009; }, Panel::lamp, Panel::lamp_bowl);
   mesh.cut([&](dvec3 p) { return front_view(mouth, p); }, Panel::paint, Panel::grille);
-  mesh.cut([&](dvec3 p) { return front_view(duct, p); }, Panel::paint, Panel::grille);
-  mesh.cut([&](dvec3 p) { return rear_view(tail, p); }, Panel::paint, Panel::tail_lamp);
+  mesh.cut([&](dvec3 p) { return front_view(duct, p); }, Panel::paint, Panel::duct);
+  mesh.cut([&](dvec3 p) { return rear_view(band, p); }, Panel::paint, Panel::trim);
+  mesh.cut([&](dvec3 p) { return rear_view(tail, p); }, Panel::trim, Panel::tail_lamp);
   mesh.cut([&](dvec3 p) { return rear_view(diffuser, p); }, Panel::paint, Panel::plastic);
 }
 
 void score_seams(PanelMesh& mesh) {
-  const double width = 0.006;
-  const auto score = [&](const PanelMesh::Field& field) { mesh.score(field, width, Panel::paint, Panel::gap); };
-  const Outline door = Outline::rounded({{0.66, 1.2}, {0.66, 0.80}, {0.60, 0.55}, {0.56, 0.285}, {-0.42, 0.285},
-                                         {-0.50, 0.45}, {-0.62, 0.72}, {-0.60, 0.95}, {-0.50, 1.2}});
-  const Outline bonnet = Outline::rounded({{0.86, -0.9}, {0.86, 0.60}, {0.80, 0.685}, {1.35, 0.625}, {1.86, 0.50},
-                                           {2.00, 0.30}, {2.03, 0.0}, {2.03, -0.9}}, 2);
-  const Outline boot = Outline::rounded({{-1.84, -0.9}, {-1.84, 0.45}, {-1.90, 0.60}, {-2.6, 0.60}, {-2.6, -0.9}}, 2);
-  const Outline flap = Outline::rounded({{-1.10, 0.79}, {-1.10, 0.88}, {-1.24, 0.88}, {-1.24, 0.79}});
+  const double width = 0.007;
+  const auto score = [&](const PanelMesh::Field& field) {
+    mesh.score(field, width, Panel::paint, Panel::gap);
+  };
+  const Outline door = Outline::rounded({{0.60, 0.94},
+                                         {0.665, 0.80},
+                                         {0.61, 0.55},
+                                         {0.57, 0.33},
+                                         {-0.42, 0.33},
+                                         {-0.50, 0.45},
+                                         {-0.62, 0.72},
+                                         {-0.60, 0.95},
+                                         {-0.50, 1.10},
+                                         {0.0, 1.08}});
+  const Outline bonnet = Outline::rounded({{0.86, -0.9},
+                                           {0.86, 0.60},
+                                           {0.80, 0.685},
+                                           {1.35, 0.625},
+                                           {1.86, 0.50},
+                                           {2.00, 0.30},
+                                           {2.03, 0.0},
+                                           {2.03, -0.9}},
+                                          2);
+  const Outline boot =
+      Outline::rounded({{-1.84, -0.9}, {-1.84, 0.45}, {-1.90, 0.60}, {-2.6, 0.60}, {-2.6, -0.9}}, 2);
   score([&](dvec3 p) { return side_view(door, p); });
   score([&](dvec3 p) { return p.z > 0 ? top_view(bonnet, p) : elsewhere; });
   score([&](dvec3 p) { return p.z < 0 && p.y > 0.86 ? top_view(boot, p) : elsewhere; });
-  score([&](dvec3 p) { return side_view(flap, p); });
 }
 
 PanelMesh panels() {
@@ -93,16 +157,16 @@ PanelMesh panels() {
   cut_glass(mesh);
   cut_ends(mesh);
   score_seams(mesh);
-  mesh.sink(Panel::grille, {0, 0, -0.05}, Panel::plastic);
-  mesh.sink(Panel::lamp_bowl, {-0.012, -0.012, -0.045}, Panel::trim);
+  mesh.simplify(0.0015);
   return mesh;
 }
 
-// From a rim of the bodywork inwards: the lip that gives the panel its thickness, then the well as far as it goes.
+// From a rim of the bodywork inwards: the lip that gives the panel its thickness, then the well as far as it
+// goes.
 Triangles wheel_wells(const PanelMesh& mesh) {
   Triangles half;
   for (const auto& [a, b] : mesh.rims()) {
-    if (std::min(a.x, b.x) < Chassis::well_x + 0.02) continue;
+    if (std::min(a.x, b.x) < Chassis::well_x + 0.02 || std::max(a.y, b.y) < 0.17) continue;
     const double axle = a.z > 0 ? Chassis::axle_z : -Chassis::axle_z;
     const dvec3 hub(0, Chassis::wheel_radius, axle);
     const auto inwards = [&](dvec3 p) { return glm::normalize(dvec3(0, hub.y - p.y, hub.z - p.z)); };
@@ -122,19 +186,27 @@ Triangles wheel_wells(const PanelMesh& mesh) {
   return both;
 }
 
-}  // namespace
+} // namespace
 
 std::vector<Part> car_body(const CarMaterials& m) {
-  const PanelMesh mesh = panels();
-  Triangles black = mesh.both_sides(Panel::gap);
-  black.append(mesh.both_sides(Panel::trim));
+  PanelMesh mesh = panels();
+  const Triangles wells = wheel_wells(mesh);
+  mesh.sink(Panel::grille, {-0.02, 0, -0.05}, Panel::plastic);
+  mesh.sink(Panel::duct, {-0.035, 0, -0.045}, Panel::plastic);
+  mesh.sink(Panel::lamp_bowl, {-0.012, -0.012, -0.045}, Panel::trim);
+  Triangles black = mesh.both_sides(Panel::trim);
   black.append(mesh.both_sides(Panel::lamp_bowl));
   Triangles plastic = mesh.both_sides(Panel::plastic);
   plastic.append(mesh.both_sides(Panel::grille));
-  plastic.append(wheel_wells(mesh));
-  return {{m.paint, mesh.both_sides(Panel::paint)}, {m.glass, mesh.both_sides(Panel::glass)},
-          {m.gloss_black, black},                   {m.plastic, plastic},
-          {m.lamp, mesh.both_sides(Panel::lamp)},   {m.tail_lamp, mesh.both_sides(Panel::tail_lamp)}};
+  plastic.append(mesh.both_sides(Panel::duct));
+  plastic.append(mesh.both_sides(Panel::gap));
+  plastic.append(wells);
+  return {{m.paint, mesh.both_sides(Panel::paint)},
+          {m.glass, mesh.both_sides(Panel::glass)},
+          {m.gloss_black, black},
+          {m.plastic, plastic},
+          {m.lamp, mesh.both_sides(Panel::lamp)},
+          {m.tail_lamp, mesh.both_sides(Panel::tail_lamp)}};
 }
 
-}  // namespace unghost::author
+} // namespace unghost::author

@@ -10,4 +10,4 @@ namespace unghost::author {
 
 std::vector<Part> car_body(const CarMaterials& materials);
 
-}  // namespace unghost::author
+} // namespace unghost::author

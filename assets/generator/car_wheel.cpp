@@ -11,28 +11,30 @@ using glm::dvec3;
 
 namespace {
 
-constexpr double tyre = Chassis::wheel_radius, half = Chassis::tyre_width / 2, rim = 0.243, pi = std::numbers::pi;
+constexpr double tyre = Chassis::wheel_radius, half = Chassis::tyre_width / 2, rim = 0.243,
+                 pi = std::numbers::pi;
 const dvec3 axle(1, 0, 0);
 
-// Two grooves run around the tread; the shoulders are round and the sidewalls bulge a little past the rim.
+// A groove runs around the tread; the shoulders are round and the sidewalls bulge a little past the rim.
 Triangles tyre_shape() {
   Triangles t;
-  std::vector<ProfilePoint> profile = {{rim - 0.004, -half + 0.012, true}, {rim + 0.012, -half + 0.003},
-                                       {rim + 0.045, -half - 0.004},       {tyre - 0.022, -half + 0.006},
-                                       {tyre - 0.005, -half + 0.022},      {tyre, -half + 0.045, true}};
-  for (const double groove : {-0.028, 0.028}) {
-    profile.insert(profile.end(), {{tyre, groove - 0.006, true},
-                                   {tyre - 0.008, groove - 0.004, true},
-                                   {tyre - 0.008, groove + 0.004, true},
-                                   {tyre, groove + 0.006, true}});
-  }
-  profile.insert(profile.end(), {{tyre, half - 0.045, true},
-                                 {tyre - 0.005, half - 0.022},
-                                 {tyre - 0.022, half - 0.006},
-                                 {rim + 0.045, half + 0.004},
-                                 {rim + 0.012, half - 0.003},
-                                 {rim - 0.004, half - 0.012, true}});
-  add_lathe(t, dvec3(0), axle, profile, 44);
+  add_lathe(t, dvec3(0), axle,
+            {{rim - 0.004, -half + 0.012},
+             {rim + 0.030, -half - 0.004},
+             {tyre - 0.020, -half + 0.006},
+             {tyre - 0.004, -half + 0.024},
+             {tyre, -half + 0.05},
+             {tyre, -0.008, true},
+             {tyre - 0.008, -0.005, true},
+             {tyre - 0.008, 0.005, true},
+             {tyre, 0.008, true},
+             {tyre, half - 0.05},
+             {tyre - 0.004, half - 0.024},
+             {tyre - 0.020, half - 0.006},
+             {rim + 0.045, half + 0.004},
+             {rim + 0.012, half - 0.003},
+             {rim - 0.004, half - 0.012}},
+            36);
   return t;
 }
 
@@ -40,9 +42,13 @@ Triangles tyre_shape() {
 Triangles rim_shape() {
   Triangles t;
   add_lathe(t, dvec3(0), axle,
-            {{rim, half - 0.014, true}, {rim - 0.004, half - 0.004, true}, {rim - 0.014, half - 0.006, true},
-             {rim - 0.022, half - 0.030}, {rim - 0.030, half - 0.10, true}, {rim - 0.030, -half + 0.02}},
-            44);
+            {{rim, half - 0.014, true},
+             {rim - 0.004, half - 0.004, true},
+             {rim - 0.014, half - 0.006, true},
+             {rim - 0.022, half - 0.030},
+             {rim - 0.030, half - 0.10, true},
+             {rim - 0.030, -half + 0.02}},
+            36);
   return t;
 }
 
@@ -60,7 +66,8 @@ void add_spoke(Triangles& to, double angle, double lean) {
   for (int strip = 0; strip < 3; ++strip) {
     for (int row = 0; row < rows; ++row) {
       const double t0 = double(row) / rows, t1 = double(row + 1) / rows;
-      add_flat_quad(to, section(t0, strip), section(t1, strip), section(t1, strip + 1), section(t0, strip + 1));
+      add_flat_quad(to, section(t0, strip), section(t1, strip), section(t1, strip + 1),
+                    section(t0, strip + 1));
     }
   }
 }
@@ -73,9 +80,13 @@ Triangles spokes() {
     add_spoke(t, angle + 0.17, -0.075);
   }
   add_lathe(t, dvec3(0), axle,
-            {{0.074, half - 0.085}, {0.072, half - 0.050, true}, {0.060, half - 0.040, true},
-             {0.034, half - 0.038, true}, {0.031, half - 0.034, true}, {0, half - 0.031}},
-            20);
+            {{0.074, half - 0.085},
+             {0.072, half - 0.050, true},
+             {0.060, half - 0.040, true},
+             {0.034, half - 0.038, true},
+             {0.031, half - 0.034, true},
+             {0, half - 0.031}},
+            15);
   for (int i = 0; i < 5; ++i) {
     const double angle = 2 * pi * (i + 0.5) / 5;
     const dvec3 nut(half - 0.042, 0.050 * std::cos(angle), 0.050 * std::sin(angle));
@@ -87,7 +98,8 @@ Triangles spokes() {
 Triangles disc() {
   Triangles t;
   add_lathe(t, dvec3(0), axle,
-            {{0.178, -0.028, true}, {0.178, 0.0, true}, {0.105, 0.0, true}, {0.100, 0.022, true}, {0, 0.022}}, 32);
+            {{0.178, -0.028, true}, {0.178, 0.0, true}, {0.105, 0.0, true}, {0.100, 0.022, true}, {0, 0.022}},
+            28);
   return t;
 }
 
@@ -99,7 +111,7 @@ Triangles backing() {
   return t;
 }
 
-}  // namespace
+} // namespace
 
 std::vector<Part> car_wheel(const CarMaterials& m) {
   Triangles alloy = rim_shape();
@@ -118,10 +130,11 @@ std::vector<Part> brake_caliper(const CarMaterials& m, double lead) {
   add_grid(t, 6, 1, [&](double u, double v) { return arc(u, outer, face + (back - face) * v); });
   add_grid(t, 6, 1, [&](double u, double v) { return arc(u, inner, back + (face - back) * v); });
   for (const double u : {0.0, 1.0}) {
-    const dvec3 a = arc(u, inner, face), b = arc(u, outer, face), c = arc(u, outer, back), d = arc(u, inner, back);
+    const dvec3 a = arc(u, inner, face), b = arc(u, outer, face), c = arc(u, outer, back),
+                d = arc(u, inner, back);
     u == 0 ? add_flat_quad(t, a, b, c, d) : add_flat_quad(t, d, c, b, a);
   }
   return {{m.caliper, t}};
 }
 
-}  // namespace unghost::author
+} // namespace unghost::author

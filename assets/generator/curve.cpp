@@ -24,7 +24,8 @@ Curve::Curve(std::initializer_list<dvec2> keys) : keys_(keys), second_(keys.size
 }
 
 double Curve::operator()(double x) const {
-  const auto above = std::upper_bound(keys_.begin(), keys_.end(), x, [](double v, dvec2 k) { return v < k.x; });
+  const auto above =
+      std::upper_bound(keys_.begin(), keys_.end(), x, [](double v, dvec2 k) { return v < k.x; });
   const size_t high = std::clamp<size_t>(size_t(above - keys_.begin()), 1, keys_.size() - 1), low = high - 1;
   const double h = keys_[high].x - keys_[low].x, slope = (keys_[high].y - keys_[low].y) / h;
   if (x < keys_.front().x) return keys_[0].y + (x - keys_[0].x) * (slope - h * second_[1] / 6);
@@ -85,4 +86,4 @@ double smooth_step(double low, double high, double x) {
 
 double bell(double x, double width) { return std::exp(-(x / width) * (x / width)); }
 
-}  // namespace unghost::author
+} // namespace unghost::author

@@ -14,8 +14,8 @@ namespace {
 constexpr int array_buffer = 34962, element_array_buffer = 34963;
 constexpr int unsigned_byte = 5121, unsigned_short = 5123, unsigned_int = 5125, real = 5126;
 
-// A grid fine enough to be invisible (15 micrometres) and coarse enough that the last bits of sin() and pow(), which
-// differ between math libraries, do not reach the file.
+// A grid fine enough to be invisible (15 micrometres) and coarse enough that the last bits of sin() and
+// pow(), which differ between math libraries, do not reach the file.
 float settled(double value) {
   const double grid = 65536;
   return float(std::floor(value * grid + 0.5) / grid) + 0.0f;
@@ -44,7 +44,7 @@ template <typename V> json numbers(const V& v) {
   return out;
 }
 
-}  // namespace
+} // namespace
 
 Glb::Glb() {
   json_["asset"] = {{"version", "2.0"}, {"generator", "unghost author-assets"}};
@@ -171,16 +171,16 @@ std::vector<uint8_t> Glb::finish(const std::string& scene_name, json scene_extra
   std::vector<uint8_t> words(text.begin(), text.end());
   pad(words, ' ');
   std::vector<uint8_t> file;
-  put(file, uint32_t(0x46546C67));  // "glTF"
+  put(file, uint32_t(0x46546C67)); // "glTF"
   put(file, uint32_t(2));
   put(file, uint32_t(12 + 8 + words.size() + 8 + binary_.size()));
   put(file, uint32_t(words.size()));
-  put(file, uint32_t(0x4E4F534A));  // "JSON"
+  put(file, uint32_t(0x4E4F534A)); // "JSON"
   file.insert(file.end(), words.begin(), words.end());
   put(file, uint32_t(binary_.size()));
-  put(file, uint32_t(0x004E4942));  // "BIN"
+  put(file, uint32_t(0x004E4942)); // "BIN"
   file.insert(file.end(), binary_.begin(), binary_.end());
   return file;
 }
 
-}  // namespace unghost::author
+} // namespace unghost::author

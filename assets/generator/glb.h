@@ -26,7 +26,7 @@ struct Placement {
 };
 
 class Glb {
- public:
+public:
   Glb();
 
   /// All of these return the index of what was added. `json` is glTF's own object.
@@ -41,7 +41,7 @@ class Glb {
   /// The file. `scene_extras` becomes the scene's extras.
   std::vector<uint8_t> finish(const std::string& scene_name, nlohmann::json scene_extras);
 
- private:
+private:
   int add_view(const std::vector<uint8_t>& bytes, int target);
   int add_floats(const std::vector<float>& values, int components, bool with_bounds);
   int add_colours(const std::vector<glm::dvec4>& colours);
@@ -52,4 +52,4 @@ class Glb {
   std::vector<uint8_t> binary_;
 };
 
-}  // namespace unghost::author
+} // namespace unghost::author

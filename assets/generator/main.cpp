@@ -24,7 +24,7 @@ void write_file(const std::filesystem::path& file, const std::vector<uint8_t>& b
   std::filesystem::rename(part, file);
 }
 
-}  // namespace
+} // namespace
 
 int main(int count, char** arguments) {
   try {

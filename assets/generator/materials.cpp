@@ -33,7 +33,7 @@ json glowing(json material, double r, double g, double b) {
   return material;
 }
 
-}  // namespace
+} // namespace
 
 CarMaterials add_car_materials(Glb& glb) {
   CarMaterials m;
@@ -47,7 +47,8 @@ CarMaterials add_car_materials(Glb& glb) {
   m.steel = glb.add_material(surface("brake disc", {{0.42, 0.41, 0.40}, 1, 0.38}));
   m.caliper = glb.add_material(coated(surface("caliper", {{0.85, 0.55, 0.02}, 0, 0.40}), 0.08));
   m.lamp = glb.add_material(glowing(surface("headlight", {{0.9, 0.9, 0.92}, 0, 0.10}), 0.85, 0.92, 1.0));
-  m.tail_lamp = glb.add_material(glowing(surface("tail light", {{0.55, 0.006, 0.008}, 0, 0.08}), 0.55, 0.012, 0.014));
+  m.tail_lamp =
+      glb.add_material(glowing(surface("tail light", {{0.50, 0.006, 0.008}, 0, 0.08}), 0.90, 0.012, 0.016));
   m.indicator = glb.add_material(glowing(surface("indicator", {{0.75, 0.22, 0.01}, 0, 0.12}), 0.10, 0.03, 0));
   m.plate = glb.add_material(surface("number plate", {{0.80, 0.80, 0.76}, 0, 0.45}));
   return m;
@@ -66,22 +67,26 @@ WorldMaterials add_world_materials(Glb& glb) {
     material["normalTexture"] = std::move(normal);
     return material;
   };
-  const json asphalt = texture("asphalt", asphalt_colour_png()), relief = texture("asphalt relief", asphalt_normal_png());
+  const json asphalt = texture("asphalt", asphalt_colour_png()),
+             relief = texture("asphalt relief", asphalt_normal_png());
   const json paint = texture("road paint", road_paint_png()), grass = texture("grass", grass_png());
   const json leaves = texture("leaves", leaves_png());
   const dvec3 white(1);
   WorldMaterials m;
   m.asphalt = glb.add_material(bumpy(textured(surface("asphalt", {white, 0, 0.86}), asphalt), relief, 1));
-  m.road_paint = glb.add_material(bumpy(textured(surface("road paint", {white, 0, 0.60}), paint), relief, 0.6));
+  m.road_paint =
+      glb.add_material(bumpy(textured(surface("road paint", {white, 0, 0.60}), paint), relief, 0.6));
   m.tar = glb.add_material(bumpy(surface("tar", {{0.016, 0.016, 0.017}, 0, 0.48}), relief, 0.4));
-  m.gravel = glb.add_material(bumpy(textured(surface("gravel", {{1.0, 0.86, 0.66}, 0, 0.95}), asphalt), relief, 1));
+  m.gravel =
+      glb.add_material(bumpy(textured(surface("gravel", {{1.0, 0.86, 0.66}, 0, 0.95}), asphalt), relief, 1));
   m.grass = glb.add_material(textured(surface("grass", {white, 0, 0.95}), grass));
   m.kerb_red = glb.add_material(surface("kerb red", {{0.62, 0.030, 0.022}, 0, 0.55}));
   m.kerb_white = glb.add_material(surface("kerb white", {{0.72, 0.71, 0.68}, 0, 0.55}));
   m.galvanised = glb.add_material(surface("galvanised steel", {{0.55, 0.57, 0.58}, 0.9, 0.42}));
   m.post = glb.add_material(surface("post", {{0.30, 0.31, 0.32}, 0.6, 0.55}));
   m.dark = glb.add_material(surface("dark board", {{0.018, 0.020, 0.024}, 0, 0.5}));
-  m.reflector = glb.add_material(glowing(surface("reflector", {{0.70, 0.02, 0.015}, 0, 0.2}), 0.25, 0.008, 0.005));
+  m.reflector =
+      glb.add_material(glowing(surface("reflector", {{0.70, 0.02, 0.015}, 0, 0.2}), 0.25, 0.008, 0.005));
   m.rubber = glb.add_material(surface("old rubber", {{0.024, 0.024, 0.025}, 0, 0.92}));
   json leafy = textured(surface("leaves", {white, 0, 0.75}), leaves);
   leafy["alphaMode"] = "MASK";
@@ -89,8 +94,7 @@ WorldMaterials add_world_materials(Glb& glb) {
   leafy["doubleSided"] = true;
   m.leaves = glb.add_material(std::move(leafy));
   m.bark = glb.add_material(surface("bark", {{0.085, 0.062, 0.045}, 0, 0.92}));
-  m.woods = glb.add_material(surface("woods", {{0.045, 0.085, 0.025}, 0, 0.95}));
   return m;
 }
 
-}  // namespace unghost::author
+} // namespace unghost::author

@@ -16,7 +16,7 @@ uint32_t pcg(uint32_t value) {
 
 uint32_t wrapped(int i, int cells) { return uint32_t(((i % cells) + cells) % cells); }
 
-}  // namespace
+} // namespace
 
 uint32_t hashed(uint32_t a, uint32_t b, uint32_t c) { return pcg(pcg(pcg(a) + b) + c); }
 
@@ -38,7 +38,8 @@ NearestPoint tiled_cells(dvec2 p, int cells, uint32_t seed) {
   for (int y = -1; y <= 1; ++y) {
     for (int x = -1; x <= 1; ++x) {
       const uint32_t cx = wrapped(int(base.x) + x, cells), cy = wrapped(int(base.y) + y, cells);
-      const dvec2 point = base + dvec2(x, y) + dvec2(random_unit(cx, cy, seed), random_unit(cx, cy, seed + 1));
+      const dvec2 point =
+          base + dvec2(x, y) + dvec2(random_unit(cx, cy, seed), random_unit(cx, cy, seed + 1));
       const double distance = glm::length(point - q);
       if (distance < first) {
         second = first;
@@ -52,4 +53,4 @@ NearestPoint tiled_cells(dvec2 p, int cells, uint32_t seed) {
   return {first, second - first, id};
 }
 
-}  // namespace unghost::author
+} // namespace unghost::author

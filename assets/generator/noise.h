@@ -18,10 +18,10 @@ double tiled_noise(glm::dvec2 p, int cells, uint32_t seed);
 
 /// What is nearest to `p` among one random point a cell.
 struct NearestPoint {
-  double distance;  // in cells
-  double border;    // how much further away the second nearest is
-  uint32_t id;      // of the point
+  double distance; // in cells
+  double border;   // how much further away the second nearest is
+  uint32_t id;     // of the point
 };
 NearestPoint tiled_cells(glm::dvec2 p, int cells, uint32_t seed);
 
-}  // namespace unghost::author
+} // namespace unghost::author

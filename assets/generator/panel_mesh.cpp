@@ -21,19 +21,25 @@ dvec3 from_plate(dvec3 cage) {
 
 bool flatter(const std::array<dvec3, 4>& q) { return glm::distance(q[0], q[2]) <= glm::distance(q[1], q[3]); }
 
-}  // namespace
+} // namespace
 
 PanelMesh::PanelMesh() {
   const double side = 0.9, low = 0.16, high = 1.15, front = 2.2, back = -2.2;
-  const int across = 8, up = 9, along = 34;
+  const int across = 7, up = 9, along = 28;
   const auto z = [&](double t) { return back + (front - back) * t; };
   add_face(across, along, [&](double u, double v) { return dvec3(side * (1 - u), high, z(v)); });
   add_face(up, along, [&](double u, double v) { return dvec3(side, low + (high - low) * u, z(v)); });
   add_face(across, along, [&](double u, double v) { return dvec3(side * u, low, z(v)); });
   add_face(across, up, [&](double u, double v) { return dvec3(side * u, low + (high - low) * v, front); });
-  add_face(across, up, [&](double u, double v) { return dvec3(side * (1 - u), low + (high - low) * v, back); });
+  add_face(across, up,
+           [&](double u, double v) { return dvec3(side * (1 - u), low + (high - low) * v, back); });
   weld();
-  for (int round = 0; round < 5 && refine(0.0022, 0.03); ++round) {
+  for (const Crease& crease : creases()) {
+    divide(crease.across, 0.03);
+    for (const double edge : {-crease.half_width, crease.half_width})
+      if (edge != 0) divide([&](dvec3 p) { return crease.across(p) - edge; }, 0.4 * crease.half_width);
+  }
+  for (int round = 0; round < 5 && refine(0.0032, 0.035); ++round) {
   }
 }
 
@@ -44,8 +50,8 @@ void PanelMesh::add_face(int columns, int rows, const std::function<dvec3(double
       points_.push_back(from_plate(cage(double(column) / columns, double(row) / rows)));
   for (int row = 0; row < rows; ++row) {
     for (int column = 0; column < columns; ++column) {
-      const uint32_t a = first + uint32_t(row * (columns + 1) + column), b = a + 1, d = a + uint32_t(columns) + 1,
-                     c = d + 1;
+      const uint32_t a = first + uint32_t(row * (columns + 1) + column), b = a + 1,
+                     d = a + uint32_t(columns) + 1, c = d + 1;
       if (flatter({points_[a], points_[b], points_[c], points_[d]})) {
         triangles_.push_back({{a, b, c}, Panel::paint});
         triangles_.push_back({{a, c, d}, Panel::paint});
@@ -93,7 +99,8 @@ bool PanelMesh::refine(double tolerance, double shortest) {
       const dvec3 middle = 0.5 * (points_[a] + points_[b]);
       const double bend = glm::dot(normals_[a], normals_[b]);
       const bool hidden = middle.y < 0.18;
-      if (!hidden && (std::abs(body_distance(middle)) > tolerance || bend < 0.9)) middles[{a, b}] = add_point(middle);
+      if (!hidden && (std::abs(body_distance(middle)) > tolerance || bend < 0.87))
+        middles[{a, b}] = add_point(middle);
     }
   }
   split(middles);
@@ -103,7 +110,7 @@ bool PanelMesh::refine(double tolerance, double shortest) {
 void PanelMesh::split(const std::map<Edge, uint32_t>& middles) {
   std::vector<Triangle> out;
   for (const Triangle& t : triangles_) {
-    std::array<uint32_t, 3> middle;  // of the edge from corner i to the next
+    std::array<uint32_t, 3> middle; // of the edge from corner i to the next
     std::array<bool, 3> has;
     for (size_t i = 0; i < 3; ++i) {
       const auto [a, b] = std::minmax(t.corner[i], t.corner[(i + 1) % 3]);
@@ -139,69 +146,79 @@ void PanelMesh::split(const std::map<Edge, uint32_t>& middles) {
   triangles_ = std::move(out);
 }
 
-// Points that are already nearly on the outline are moved onto it: fewer slivers than cutting beside them.
-void PanelMesh::settle(const Field& field, double within) {
-  for (size_t i = 0; i < points_.size(); ++i) {
-    const double value = field(points_[i]);
-    if (on_cut_[i] || value == 0 || std::abs(value) > within) continue;
-    const double e = 1e-4;
-    dvec3 gradient;
-    for (int axis = 0; axis < 3; ++axis) {
-      dvec3 step(0);
-      step[axis] = e;
-      gradient[axis] = (field(points_[i] + step) - field(points_[i] - step)) / (2 * e);
-    }
-    gradient -= normals_[i] * glm::dot(gradient, normals_[i]);
-    if (points_[i].x == 0) gradient.x = 0;
-    const double rate = glm::dot(gradient, gradient);
-    if (rate < 0.05) continue;
-    points_[i] = on_body(points_[i] - gradient * (value / rate));
-    normals_[i] = body_normal(points_[i]);
-  }
+bool PanelMesh::faces_out(const Triangle& t) const {
+  const dvec3 a = points_[t.corner[0]], b = points_[t.corner[1]], c = points_[t.corner[2]];
+  return glm::dot(glm::cross(b - a, c - a),
+                  normals_[t.corner[0]] + normals_[t.corner[1]] + normals_[t.corner[2]]) > 0;
 }
 
-void PanelMesh::divide(const Field& field, double within) {
-  settle(field, within);
-  std::vector<double> value;
-  for (const dvec3 p : points_) value.push_back(field(p));
-  const auto crossed = [&](uint32_t a, uint32_t b) {
-    return value[a] * value[b] < 0 && std::min(std::abs(value[a]), std::abs(value[b])) > 1e-5;
-  };
-  std::map<Edge, uint32_t> middles;
-  for (const Triangle& t : triangles_) {
-    for (size_t i = 0; i < 3; ++i) {
-      const auto [a, b] = std::minmax(t.corner[i], t.corner[(i + 1) % 3]);
-      if (!crossed(a, b) || middles.contains({a, b})) continue;
-      double low = 0, high = 1;
-      for (int step = 0; step < 24; ++step) {
-        const double t_middle = 0.5 * (low + high);
-        (field(glm::mix(points_[a], points_[b], t_middle)) * value[a] > 0 ? low : high) = t_middle;
-      }
-      middles[{a, b}] = add_point(glm::mix(points_[a], points_[b], low));
+// Whether `v` may go: inside one panel, where the body hardly bends, off the plane of symmetry.
+bool PanelMesh::spare(uint32_t v, const std::vector<size_t>& fan) const {
+  if (points_[v].x == 0 || fan.empty()) return false;
+  std::map<uint32_t, int> rim;
+  for (const size_t i : fan) {
+    const Triangle& t = triangles_[i];
+    if (t.panel != triangles_[fan.front()].panel) return false;
+    for (const uint32_t corner : t.corner) {
+      if (corner == v) continue;
+      ++rim[corner];
+      if (glm::dot(normals_[corner], normals_[v]) < 0.975) return false;
     }
   }
-  split(middles);
-  for (const auto& [edge, middle] : middles) on_cut_[middle] = true;
-  for (size_t i = 0; i < value.size(); ++i)
-    if (std::abs(value[i]) <= 1e-5) on_cut_[i] = true;
+  return std::all_of(rim.begin(), rim.end(), [](const auto& seen) { return seen.second == 2; });
 }
 
-void PanelMesh::cut(const Field& field, Panel from, Panel to) {
-  divide(field, 0.006);
-  for (Triangle& t : triangles_)
-    if (t.panel == from && field(centroid(t)) < 0) t.panel = to;
+// Whether the fan still lies on the body, and faces out, once `v` has been moved onto `onto`.
+bool PanelMesh::collapses(uint32_t v, uint32_t onto, const std::vector<size_t>& fan, double tolerance) const {
+  for (const size_t i : fan) {
+    Triangle t = triangles_[i];
+    if (std::find(t.corner.begin(), t.corner.end(), onto) != t.corner.end()) continue;
+    std::replace(t.corner.begin(), t.corner.end(), v, onto);
+    const dvec3 a = points_[t.corner[0]], b = points_[t.corner[1]], c = points_[t.corner[2]];
+    const dvec3 face = glm::cross(b - a, c - a), normal = normals_[onto];
+    if (glm::dot(face, normal) < 0.9 * glm::length(face) + 1e-7) return false;
+    for (const dvec3 middle : {0.5 * (a + b), 0.5 * (b + c), 0.5 * (c + a), (a + b + c) / 3.0})
+      if (std::abs(body_distance(middle)) > tolerance) return false;
+  }
+  return true;
 }
 
-void PanelMesh::score(const Field& field, double width, Panel from, Panel to) {
-  divide([&](dvec3 p) { return field(p) - width / 2; }, 0.1 * width);
-  divide([&](dvec3 p) { return field(p) + width / 2; }, 0.1 * width);
-  for (Triangle& t : triangles_)
-    if (t.panel == from && std::abs(field(centroid(t))) < width / 2) t.panel = to;
+void PanelMesh::simplify(double tolerance) {
+  std::vector<std::vector<size_t>> around(points_.size());
+  for (size_t i = 0; i < triangles_.size(); ++i)
+    for (const uint32_t corner : triangles_[i].corner) around[corner].push_back(i);
+  std::vector<bool> gone(triangles_.size(), false);
+  for (uint32_t v = 0; v < points_.size(); ++v) {
+    auto& fan = around[v];
+    std::erase_if(fan, [&](size_t i) { return gone[i]; });
+    if (!spare(v, fan)) continue;
+    std::vector<uint32_t> rim;
+    for (const size_t i : fan)
+      for (const uint32_t corner : triangles_[i].corner)
+        if (corner != v && std::find(rim.begin(), rim.end(), corner) == rim.end()) rim.push_back(corner);
+    const auto nearer = [&](uint32_t a, uint32_t b) {
+      return glm::distance(points_[a], points_[v]) < glm::distance(points_[b], points_[v]);
+    };
+    std::sort(rim.begin(), rim.end(), nearer);
+    const auto onto =
+        std::find_if(rim.begin(), rim.end(), [&](uint32_t w) { return collapses(v, w, fan, tolerance); });
+    if (onto == rim.end()) continue;
+    for (const size_t i : fan) {
+      auto& corner = triangles_[i].corner;
+      gone[i] = std::find(corner.begin(), corner.end(), *onto) != corner.end();
+      std::replace(corner.begin(), corner.end(), v, *onto);
+      if (!gone[i]) around[*onto].push_back(i);
+    }
+  }
+  std::vector<Triangle> left;
+  for (size_t i = 0; i < triangles_.size(); ++i)
+    if (!gone[i]) left.push_back(triangles_[i]);
+  triangles_ = std::move(left);
 }
 
 void PanelMesh::sink(Panel panel, dvec3 by, Panel wall) {
   std::map<uint32_t, uint32_t> moved;
-  std::map<std::pair<uint32_t, uint32_t>, bool> inside;  // directed edges of the panel
+  std::map<std::pair<uint32_t, uint32_t>, bool> inside; // directed edges of the panel
   for (const Triangle& t : triangles_)
     if (t.panel == panel)
       for (size_t i = 0; i < 3; ++i) inside[{t.corner[i], t.corner[(i + 1) % 3]}] = true;
@@ -221,10 +238,10 @@ void PanelMesh::sink(Panel panel, dvec3 by, Panel wall) {
   for (const auto& [edge, unused] : inside) {
     const dvec3 a = points_[edge.first], b = points_[edge.second];
     if (inside.contains({edge.second, edge.first}) || (a.x == 0 && b.x == 0)) continue;
-    const dvec3 n = glm::normalize(glm::cross(b - a, -by));
+    const dvec3 n = glm::normalize(glm::cross(b - a, by));
     const uint32_t top_a = copy(a, n), top_b = copy(b, n), low_a = copy(a + by, n), low_b = copy(b + by, n);
-    triangles_.push_back({{top_a, low_a, low_b}, wall});
-    triangles_.push_back({{top_a, low_b, top_b}, wall});
+    triangles_.push_back({{top_a, low_b, low_a}, wall});
+    triangles_.push_back({{top_a, top_b, low_b}, wall});
   }
 }
 
@@ -232,7 +249,9 @@ Triangles PanelMesh::both_sides(Panel panel) const {
   std::vector<uint32_t> index(points_.size(), UINT32_MAX);
   Triangles half;
   for (const Triangle& t : triangles_) {
-    if (t.panel != panel) continue;
+    const dvec3 a = points_[t.corner[0]], b = points_[t.corner[1]], c = points_[t.corner[2]];
+    if (t.panel != panel || glm::length(glm::cross(b - a, c - a)) < 1e-8)
+      continue; // cutting leaves splinters
     for (const uint32_t corner : t.corner) {
       if (index[corner] == UINT32_MAX) index[corner] = half.add(points_[corner], normals_[corner]);
       half.indices.push_back(index[corner]);
@@ -256,4 +275,4 @@ std::vector<std::array<dvec3, 2>> PanelMesh::rims() const {
   return out;
 }
 
-}  // namespace unghost::author
+} // namespace unghost::author

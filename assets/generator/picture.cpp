@@ -47,7 +47,7 @@ std::vector<uint8_t> encoded(int side, int colour_type, const std::vector<uint8_
   return out;
 }
 
-}  // namespace
+} // namespace
 
 Picture::Picture(int side_, const std::function<dvec4(dvec2)>& paint) : side(side_) {
   texels.reserve(size_t(side) * size_t(side));
@@ -103,4 +103,4 @@ std::vector<uint8_t> normal_png(const Picture& relief, double width, int levels)
   return encoded(relief.side, PNG_COLOR_TYPE_RGB, bytes, PNG_FILTER_NONE);
 }
 
-}  // namespace unghost::author
+} // namespace unghost::author

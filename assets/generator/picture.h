@@ -19,14 +19,15 @@ struct Picture {
   const glm::dvec4& at_wrapped(int x, int y) const;
 };
 
-/// Greys, each multiplied by one of a few tints: noise packs well in few levels. `texels` hold (grey, tint index).
+/// Greys, each multiplied by one of a few tints: noise packs well in few levels. `texels` hold (grey, tint
+/// index).
 std::vector<uint8_t> palette_png(const Picture& picture, int levels, const std::vector<glm::dvec3>& tints);
 
 /// sRGB with straight alpha.
 std::vector<uint8_t> colour_png(const Picture& picture);
 
-/// The tangent-space normals of a relief: texel.x is the height in metres of a tile `width` metres wide. OpenGL's
-/// convention, as glTF has it: green points up the picture.
+/// The tangent-space normals of a relief: texel.x is the height in metres of a tile `width` metres wide.
+/// OpenGL's convention, as glTF has it: green points up the picture.
 std::vector<uint8_t> normal_png(const Picture& relief, double width, int levels);
 
-}  // namespace unghost::author
+} // namespace unghost::author

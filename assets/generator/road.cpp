@@ -1,5 +1,5 @@
-// The road's surface, its lines, kerbs and gravel shoulders. Lines and tar seams are strips of the same surface, so
-// that nothing lies on anything.
+// The road's surface, its lines, kerbs and gravel shoulders. Lines and tar seams are strips of the same
+// surface, so that nothing lies on anything.
 #include "assets/generator/track.h"
 
 #include <algorithm>
@@ -15,14 +15,14 @@ using glm::dvec2, glm::dvec3, glm::dvec4;
 
 namespace {
 
-constexpr int variants = 5;  // of the road's wear; they follow each other round the circuit
+constexpr int variants = 5; // of the road's wear; they follow each other round the circuit
 
 enum class Surface { asphalt, line, dashes, tar };
 
 /// From one column line to the next.
 struct Band {
   Surface surface;
-  std::vector<double> columns;  // metres to the left
+  std::vector<double> columns; // metres to the left
 };
 
 // The tar seam wanders; it starts and ends in place, so that sectors meet.
@@ -36,18 +36,19 @@ const std::vector<Band>& bands() {
   static const std::vector<Band> list = {
       {Surface::asphalt, {-2.2, -2.02}},
       {Surface::line, {-2.02, -1.90}},
-      {Surface::asphalt, {-1.90, -1.35, -1.0, -0.75, -0.5, -0.2, 0.0, 0.2, 0.5, 0.75, 1.0, 1.35, 1.74}},
+      {Surface::asphalt, {-1.90, -1.1, -0.75, -0.4, 0.0, 0.4, 0.75, 1.1, 1.74}},
       {Surface::dashes, {1.74, 1.86}},
-      {Surface::asphalt, {1.86, 2.25, 2.6, 2.85, 3.1, 3.4, 3.78}},
+      {Surface::asphalt, {1.86, 2.6, 2.93, 3.3, 3.78}},
       {Surface::tar, {3.78, 3.83}},
-      {Surface::asphalt, {3.83, 4.1, 4.35, 4.6, 5.0, 5.5}},
+      {Surface::asphalt, {3.83, 4.1, 4.43, 4.8, 5.5}},
       {Surface::line, {5.50, 5.62}},
       {Surface::asphalt, {5.62, 5.8}},
   };
   return list;
 }
 
-// Rubber and oil darken the wheel tracks and the lanes' middles, dust brightens the edges, old and new asphalt meet.
+// Rubber and oil darken the wheel tracks and the lanes' middles, dust brightens the edges, old and new
+// asphalt meet.
 dvec4 wear(double along, double left, int variant) {
   double shade = 0.90;
   for (const double lane : {0.0, 3.68}) {
@@ -73,8 +74,8 @@ struct RoadParts {
   Triangles asphalt, line, tar;
 };
 
-void add_cell(Triangles& to, std::array<double, 2> along, std::array<std::array<double, 2>, 2> left, double shade,
-              int variant) {
+void add_cell(Triangles& to, std::array<double, 2> along, std::array<std::array<double, 2>, 2> left,
+              double shade, int variant) {
   // Lefts are [row][column]; the quad goes round seen from above.
   static constexpr std::array<std::array<int, 2>, 4> round = {{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
   const auto first = uint32_t(to.positions.size());
@@ -95,8 +96,9 @@ RoadParts road_sector(int variant) {
       for (int row = 0; row < Track::rows; ++row) {
         const auto cell = [&](Triangles& to, double from, double until, double shade) {
           const auto left = [&](double s, double l) { return wander(l, s / Track::sector_length, variant); };
-          add_cell(to, {from, until}, {{{left(from, low), left(from, high)}, {left(until, low), left(until, high)}}},
-                   shade, variant);
+          add_cell(to, {from, until},
+                   {{{left(from, low), left(from, high)}, {left(until, low), left(until, high)}}}, shade,
+                   variant);
         };
         const double from = row * step, until = from + step;
         const bool dash = band.surface == Surface::dashes && row % 6 < 2;
@@ -113,11 +115,12 @@ RoadParts road_sector(int variant) {
       }
     }
   }
+  parts.tar.colours.clear(); // tar is the same tar everywhere
   return parts;
 }
 
 // A strip beside the road: columns of (left, up), from right to left.
-Triangles strip(const std::vector<dvec2>& columns, double from, double until, int rows, double tile) {
+Triangles strip(const std::vector<dvec2>& columns, double from, double until, int rows) {
   Triangles t;
   for (size_t c = 0; c + 1 < columns.size(); ++c) {
     const dvec2 low = columns[c], high = columns[c + 1], slope = high - low;
@@ -126,7 +129,7 @@ Triangles strip(const std::vector<dvec2>& columns, double from, double until, in
       const double s = from + (until - from) * row / rows, angle = s / Track::radius;
       const dvec3 left(std::cos(angle), 0, -std::sin(angle));
       for (const dvec2 p : {low, high})
-        t.add(sector_point(s, p.x, p.y), dvec3(0, slope.x, 0) - left * slope.y, dvec2(p.x, s) / tile, dvec4(1));
+        t.add(sector_point(s, p.x, p.y), dvec3(0, slope.x, 0) - left * slope.y);
     }
     for (uint32_t row = 0; row < uint32_t(rows); ++row) {
       const uint32_t v = first + 2 * row;
@@ -141,33 +144,40 @@ int add_kerb_mesh(Glb& glb, const WorldMaterials& m, const char* name, const std
   Triangles red, white;
   for (int i = 0; i < blocks; ++i) {
     const double block = Track::sector_length / blocks;
-    (i % 2 == 0 ? red : white).append(strip(columns, i * block, (i + 1) * block, 1, asphalt_tile));
+    (i % 2 == 0 ? red : white).append(strip(columns, i * block, (i + 1) * block, 1));
   }
   return glb.add_mesh(name, {{m.kerb_red, red}, {m.kerb_white, white}});
 }
 
-}  // namespace
+} // namespace
 
 void add_road(Glb& glb, const WorldMaterials& m) {
   std::vector<int> surfaces;
   for (int variant = 0; variant < variants; ++variant) {
     RoadParts parts = road_sector(variant);
-    surfaces.push_back(glb.add_mesh("road_" + std::to_string(variant),
-                                    {{m.asphalt, parts.asphalt}, {m.road_paint, parts.line}, {m.tar, parts.tar}}));
+    surfaces.push_back(
+        glb.add_mesh("road_" + std::to_string(variant),
+                     {{m.asphalt, parts.asphalt}, {m.road_paint, parts.line}, {m.tar, parts.tar}}));
   }
-  Triangles gravel = strip({{-3.5, -0.09}, {-2.9, -0.03}, {-2.2, 0}}, 0, Track::sector_length, Track::rows, 2.0);
-  gravel.append(strip({{5.8, 0}, {6.5, -0.03}, {7.3, -0.09}}, 0, Track::sector_length, Track::rows, 2.0));
+  Triangles gravel = strip({{-3.5, -0.09}, {-2.9, -0.03}, {-2.2, 0}}, 0, Track::sector_length, Track::rows);
+  gravel.append(strip({{5.8, 0}, {6.5, -0.03}, {7.3, -0.09}}, 0, Track::sector_length, Track::rows));
+  for (const dvec3 p : gravel.positions) // the asphalt's picture, half as large again
+    gravel.uvs.push_back(dvec2(Track::radius - std::hypot(p.x, p.z), Track::radius * std::atan2(p.z, -p.x)) /
+                         (asphalt_tile * 1.5));
   const int shoulder = glb.add_mesh("shoulder", {{m.gravel, gravel}});
-  const int inner = add_kerb_mesh(glb, m, "kerb_inner", {{5.8, 0}, {5.87, 0.025}, {6.15, 0.05}, {6.22, -0.06}});
-  const int outer = add_kerb_mesh(glb, m, "kerb_outer", {{-2.62, -0.06}, {-2.55, 0.05}, {-2.27, 0.025}, {-2.2, 0}});
+  const int inner =
+      add_kerb_mesh(glb, m, "kerb_inner", {{5.8, 0}, {5.87, 0.025}, {6.15, 0.05}, {6.22, -0.06}});
+  const int outer =
+      add_kerb_mesh(glb, m, "kerb_outer", {{-2.62, -0.06}, {-2.55, 0.05}, {-2.27, 0.025}, {-2.2, 0}});
   for (int sector = 0; sector < Track::sectors; ++sector) {
     const std::string number = std::to_string(sector);
     const Placement place = sector_placement(sector);
     glb.add_node("road_" + number, -1, place, {{"mesh", surfaces[size_t(sector % variants)]}});
     glb.add_node("shoulder_" + number, -1, place, {{"mesh", shoulder}});
-    if (sector % 5 == 0 || sector % 5 == 1) glb.add_node("kerb_outer_" + number, -1, place, {{"mesh", outer}});
+    if (sector % 5 == 0 || sector % 5 == 1)
+      glb.add_node("kerb_outer_" + number, -1, place, {{"mesh", outer}});
     if (sector % 7 > 3) glb.add_node("kerb_inner_" + number, -1, place, {{"mesh", inner}});
   }
 }
 
-}  // namespace unghost::author
+} // namespace unghost::author

@@ -11,12 +11,15 @@ namespace {
 
 int add_lamp_mesh(Glb& glb, const WorldMaterials& m) {
   Triangles pole, head;
-  add_lathe(pole, dvec3(0), {0, 1, 0}, {{0.11, -0.1}, {0.11, 0.9, true}, {0.085, 0.95, true}, {0.05, 7.6}}, 10);
-  for (int i = 0; i < 4; ++i) {  // the arm bends over towards the road
+  add_lathe(pole, dvec3(0), {0, 1, 0}, {{0.11, -0.1}, {0.11, 0.9, true}, {0.085, 0.95, true}, {0.05, 7.6}},
+            10);
+  for (int i = 0; i < 4; ++i) { // the arm bends over towards the road
     const double a = Track::pi / 2 * i / 4, b = Track::pi / 2 * (i + 1) / 4;
-    const dvec3 from(1.2 * (1 - std::cos(a)), 7.6 + 0.9 * std::sin(a), 0), to(1.2 * (1 - std::cos(b)), 7.6 + 0.9 * std::sin(b), 0);
+    const dvec3 from(1.2 * (1 - std::cos(a)), 7.6 + 0.9 * std::sin(a), 0),
+        to(1.2 * (1 - std::cos(b)), 7.6 + 0.9 * std::sin(b), 0);
     const dvec3 along = glm::normalize(to - from), out = glm::cross(along, dvec3(0, 0, 1));
-    add_box(pole, 0.5 * (from + to), {0.042, glm::distance(from, to) / 2 + 0.02, 0.042}, {out, along, glm::cross(out, along)});
+    add_box(pole, 0.5 * (from + to), {0.042, glm::distance(from, to) / 2 + 0.02, 0.042},
+            {out, along, glm::cross(out, along)});
   }
   add_rounded(head, {1.55, 8.50, 0}, {0.42, 0.07, 0.15}, 3, 3);
   return glb.add_mesh("lamp", {{m.post, pole}, {m.galvanised, head}});
@@ -54,14 +57,16 @@ int add_round_sign_mesh(Glb& glb, const WorldMaterials& m) {
   add_lathe(red, face, {0, 0, -1}, {{0.38, -0.008}, {0.38, 0.006, true}, {0.29, 0.006}}, 28);
   add_lathe(white, face, {0, 0, -1}, {{0.29, 0.006}, {0, 0.006}}, 28);
   add_lathe(back, face, {0, 0, 1}, {{0.38, 0.008}, {0, 0.008}}, 28);
-  Triangles digits;  // "80"
+  Triangles digits; // "80"
   for (const double x : {0.10, -0.10}) {
     for (const double y : {-0.14, 0.0, 0.14})
       if (x > 0 || y != 0) add_box(digits, face + dvec3(x, y, -0.009), {0.075, 0.018, 0.002});
-    for (const double side : {-0.058, 0.058}) add_box(digits, face + dvec3(x + side, 0, -0.009), {0.018, 0.14, 0.0015});
+    for (const double side : {-0.058, 0.058})
+      add_box(digits, face + dvec3(x + side, 0, -0.009), {0.018, 0.14, 0.0015});
   }
-  return glb.add_mesh("speed_sign",
-                      {{m.post, post}, {m.kerb_red, red}, {m.kerb_white, white}, {m.galvanised, back}, {m.dark, digits}});
+  return glb.add_mesh(
+      "speed_sign",
+      {{m.post, post}, {m.kerb_red, red}, {m.kerb_white, white}, {m.galvanised, back}, {m.dark, digits}});
 }
 
 // Over both lanes, between towers outside the shoulders: local x 0 is the path's middle.
@@ -71,26 +76,30 @@ int add_gantry_mesh(Glb& glb, const WorldMaterials& m) {
   for (const double x : {right, left})
     for (const double z : {-0.4, 0.4}) add_box(steel, {x, high / 2, z}, {0.09, high / 2, 0.09});
   for (const double z : {-0.4, 0.4})
-    for (const double y : {low, high}) add_box(steel, {(left + right) / 2, y, z}, {(left - right) / 2, 0.06, 0.06});
+    for (const double y : {low, high})
+      add_box(steel, {(left + right) / 2, y, z}, {(left - right) / 2, 0.06, 0.06});
   const int bays = 12;
   for (int i = 0; i < bays; ++i) {
     const double a = right + (left - right) * i / bays, b = right + (left - right) * (i + 1) / bays;
     for (const double z : {-0.4, 0.4}) {
       const dvec3 from(a, i % 2 == 0 ? low : high, z), to(b, i % 2 == 0 ? high : low, z);
       const dvec3 along = glm::normalize(to - from), out = glm::cross(along, dvec3(0, 0, 1));
-      add_box(steel, 0.5 * (from + to), {0.035, glm::distance(from, to) / 2, 0.035}, {out, along, glm::cross(out, along)});
+      add_box(steel, 0.5 * (from + to), {0.035, glm::distance(from, to) / 2, 0.035},
+              {out, along, glm::cross(out, along)});
     }
   }
   add_box(board, {1.8, 6.15, -0.55}, {3.6, 0.62, 0.05});
   for (int i = 0; i < 5; ++i)
-    add_lathe(light, {-0.6 + 1.2 * i, 6.15, -0.61}, {0, 0, -1}, {{0.24, 0}, {0.22, 0.05, true}, {0, 0.06}}, 16);
+    add_lathe(light, {-0.6 + 1.2 * i, 6.15, -0.61}, {0, 0, -1}, {{0.24, 0}, {0.22, 0.05, true}, {0, 0.06}},
+              16);
   return glb.add_mesh("gantry", {{m.galvanised, steel}, {m.dark, board}, {m.reflector, light}});
 }
 
-}  // namespace
+} // namespace
 
 void add_roadside(Glb& glb, const WorldMaterials& m) {
-  const int lamp = add_lamp_mesh(glb, m), marker = add_marker_mesh(glb, m), chevron = add_chevron_mesh(glb, m);
+  const int lamp = add_lamp_mesh(glb, m), marker = add_marker_mesh(glb, m),
+            chevron = add_chevron_mesh(glb, m);
   const auto place = [&](const char* name, int i, int mesh, const Placement& where) {
     glb.add_node(name + std::to_string(i), -1, where, {{"mesh", mesh}});
   };
@@ -110,4 +119,4 @@ void add_roadside(Glb& glb, const WorldMaterials& m) {
   place("gantry_", 1, gantry, on_track(600, 0));
 }
 
-}  // namespace unghost::author
+} // namespace unghost::author

@@ -53,7 +53,7 @@ void add_field(Triangles& to, int sector, const std::vector<double>& lefts) {
   }
 }
 
-}  // namespace
+} // namespace
 
 void add_terrain(Glb& glb, const WorldMaterials& m) {
   for (int sector = 0; sector < Track::sectors; ++sector) {
@@ -62,9 +62,11 @@ void add_terrain(Glb& glb, const WorldMaterials& m) {
               {-230, -185, -145, -112, -86, -66, -50, -38, -28, -20, -14.5, -10.5, -7.5, -5, -3.45, -3.1});
     add_field(inside, sector, {6.9, 7.25, 9, 12, 16, 22, 30, 42, 58, 78, 100, 125, 147});
     const std::string number = std::to_string(sector);
-    glb.add_node("hills_" + number, -1, {}, {{"mesh", glb.add_mesh("hills_" + number, {{m.grass, outside}})}});
-    glb.add_node("infield_" + number, -1, {}, {{"mesh", glb.add_mesh("infield_" + number, {{m.grass, inside}})}});
+    glb.add_node("hills_" + number, -1, {},
+                 {{"mesh", glb.add_mesh("hills_" + number, {{m.grass, outside}})}});
+    glb.add_node("infield_" + number, -1, {},
+                 {{"mesh", glb.add_mesh("infield_" + number, {{m.grass, inside}})}});
   }
 }
 
-}  // namespace unghost::author
+} // namespace unghost::author

@@ -15,12 +15,13 @@ namespace {
 
 // Asphalt at a point of its tile: dark binder, and stones of three sizes that stick out of it.
 struct Asphalt {
-  double albedo, height;  // linear; metres
+  double albedo, height; // linear; metres
   int tint;
 };
 
-// Stones and binder gather in patches of a hand's to a foot's size. Without them a distant pixel, which covers many
-// stones, would see their average, and the road would turn a flat grey just where the picture wants contrast.
+// Stones and binder gather in patches of a hand's to a foot's size. Without them a distant pixel, which
+// covers many stones, would see their average, and the road would turn a flat grey just where the picture
+// wants contrast.
 double clumps(dvec2 p) {
   return 0.30 * tiled_noise(p, 11, 1) + 0.42 * tiled_noise(p, 29, 2) + 0.62 * tiled_noise(p, 61, 3) +
          0.62 * tiled_noise(p, 127, 4);
@@ -42,7 +43,8 @@ Asphalt asphalt(dvec2 p) {
     const double radius = 0.30 + 0.26 * random_unit(stone.id, 21);
     const double presence = random_unit(stone.id, 22);
     if (presence > (cells == 190 ? 0.42 : 0.62) + 0.30 * clump) continue;
-    const double cover = smooth_step(radius + 0.10, radius - 0.10, stone.distance) * smooth_step(0.0, 0.10, stone.border);
+    const double cover =
+        smooth_step(radius + 0.10, radius - 0.10, stone.distance) * smooth_step(0.0, 0.10, stone.border);
     if (cover <= 0) continue;
     a.albedo = glm::mix(a.albedo, stone_albedo(stone.id), cover);
     a.height += cover * size * 0.16;
@@ -52,7 +54,7 @@ Asphalt asphalt(dvec2 p) {
   return a;
 }
 
-}  // namespace
+} // namespace
 
 std::vector<uint8_t> asphalt_colour_png() {
   const Picture picture(1024, [](dvec2 p) {
@@ -70,7 +72,8 @@ std::vector<uint8_t> asphalt_normal_png() {
 std::vector<uint8_t> road_paint_png() {
   const Picture picture(512, [](dvec2 p) {
     const Asphalt a = asphalt(p);
-    const double wear = 0.5 * tiled_noise(p, 9, 31) + 0.5 * tiled_noise(p, 47, 32) + 0.6 * tiled_noise(p, 170, 33);
+    const double wear =
+        0.5 * tiled_noise(p, 9, 31) + 0.5 * tiled_noise(p, 47, 32) + 0.6 * tiled_noise(p, 170, 33);
     const double paint = smooth_step(-0.75, -0.45, wear + 300 * (a.height - 0.001));
     return dvec4(glm::mix(a.albedo, 0.66 + 0.10 * tiled_noise(p, 210, 34), paint), 0, 0, 1);
   });
@@ -99,11 +102,13 @@ std::vector<uint8_t> leaves_png() {
   for (uint32_t i = 0; i < 110; ++i) {
     const double angle = 6.2831853 * random_unit(i, 51), out = 0.43 * std::sqrt(random_unit(i, 52));
     const double turn = angle + 2.2 * (random_unit(i, 53) - 0.5);
-    leaves.push_back({dvec2(0.5) + out * dvec2(std::cos(angle), std::sin(angle)), {std::cos(turn), std::sin(turn)},
-                      0.045 + 0.03 * random_unit(i, 54), 0.55 + 0.9 * random_unit(i, 55)});
+    leaves.push_back({dvec2(0.5) + out * dvec2(std::cos(angle), std::sin(angle)),
+                      {std::cos(turn), std::sin(turn)},
+                      0.045 + 0.03 * random_unit(i, 54),
+                      0.55 + 0.9 * random_unit(i, 55)});
   }
   const Picture picture(256, [&](dvec2 p) {
-    dvec4 colour(0.045, 0.095, 0.016, 0);  // under the leaves: what mipmaps bleed in at their edges
+    dvec4 colour(0.045, 0.095, 0.016, 0); // under the leaves: what mipmaps bleed in at their edges
     for (const Leaf& leaf : leaves) {
       const dvec2 d = p - leaf.centre;
       const double u = glm::dot(d, leaf.along) / leaf.length;
@@ -120,4 +125,4 @@ std::vector<uint8_t> leaves_png() {
   return colour_png(picture);
 }
 
-}  // namespace unghost::author
+} // namespace unghost::author

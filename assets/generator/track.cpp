@@ -16,7 +16,7 @@ const dvec3 centre(Track::radius, 0, 0);
 
 dquat heading(double radians) { return dquat(std::cos(radians / 2), 0, std::sin(radians / 2), 0); }
 
-}  // namespace
+} // namespace
 
 dvec3 sector_point(double along, double left, double up) {
   const double angle = along / Track::radius, from_centre = Track::radius - left;
@@ -37,9 +37,11 @@ double ground_height(dvec3 place) {
   const double left = Track::radius - glm::distance(dvec2(place.x, place.z), dvec2(centre.x, centre.z));
   const dvec2 p = dvec2(place.x, place.z) / 1024.0 + 0.5;
   const double swell = tiled_noise(p, 9, 61) + 0.4 * tiled_noise(p, 23, 62), bumps = tiled_noise(p, 120, 63);
-  const double outside = smooth_step(12, 120, -left) * (13 + 8 * swell) + smooth_step(7, 14, -left) * 0.25 * bumps;
-  const double inside = smooth_step(14, 60, left) * (1.2 + 1.6 * swell) + smooth_step(11, 20, left) * 0.25 * bumps;
+  const double outside =
+      smooth_step(12, 120, -left) * (13 + 8 * swell) + smooth_step(7, 14, -left) * 0.25 * bumps;
+  const double inside =
+      smooth_step(14, 60, left) * (1.2 + 1.6 * swell) + smooth_step(11, 20, left) * 0.25 * bumps;
   return -0.05 + (left < 0 ? outside : inside);
 }
 
-}  // namespace unghost::author
+} // namespace unghost::author

@@ -1,5 +1,5 @@
-// The circuit's measures, and where a point of it lies. A place is (along, left): metres of arc from the origin on the
-// path that the car drives, and metres to the left of it (negative: right).
+// The circuit's measures, and where a point of it lies. A place is (along, left): metres of arc from the
+// origin on the path that the car drives, and metres to the left of it (negative: right).
 #pragma once
 
 #include <vector>
@@ -14,8 +14,8 @@ namespace unghost::author {
 
 struct Track {
   static constexpr double radius = 150;
-  static constexpr int sectors = 35;        // each holds three periods of the dashed line
-  static constexpr int rows = 18;           // of the road in a sector: a dash is two of them, a gap four
+  static constexpr int sectors = 35; // each holds three periods of the dashed line
+  static constexpr int rows = 18;    // of the road in a sector: a dash is two of them, a gap four
   static constexpr double pi = 3.14159265358979323846;
   static constexpr double length = 2 * pi * radius;
   static constexpr double sector_length = length / sectors;
@@ -28,7 +28,8 @@ glm::dvec3 track_point(double along, double left, double up = 0);
 /// Local +z along the road, +x to the left.
 Placement on_track(double along, double left, double up = 0, double turned = 0);
 
-/// A sector's mesh is authored at the origin's end of the road, about the circle's centre, and turned into place.
+/// A sector's mesh is authored at the origin's end of the road, about the circle's centre, and turned into
+/// place.
 glm::dvec3 sector_point(double along, double left, double up = 0);
 Placement sector_placement(int sector);
 
@@ -41,4 +42,4 @@ void add_barriers(Glb& glb, const WorldMaterials& materials);
 void add_roadside(Glb& glb, const WorldMaterials& materials);
 void add_trees(Glb& glb, const WorldMaterials& materials);
 
-}  // namespace unghost::author
+} // namespace unghost::author

@@ -13,15 +13,15 @@ namespace {
 
 struct Kind {
   const char* name;
-  double trunk, height, width;  // metres: to the crown's foot, the crown's height and width
+  double trunk, height, width; // metres: to the crown's foot, the crown's height and width
   int lobes, cards;
-  double card;  // metres
+  double card; // metres
 };
 
-constexpr Kind kinds[] = {{"tree_broad", 2.4, 6.4, 6.4, 9, 230, 1.55},
-                          {"tree_tall", 2.0, 9.5, 3.4, 8, 210, 1.35},
-                          {"tree_young", 1.5, 4.2, 3.2, 6, 150, 1.05},
-                          {"bush", 0.15, 1.5, 2.4, 5, 60, 0.80}};
+constexpr Kind kinds[] = {{"tree_broad", 2.4, 6.4, 6.4, 9, 165, 1.75},
+                          {"tree_tall", 2.0, 9.5, 3.4, 8, 140, 1.55},
+                          {"tree_young", 1.5, 4.2, 3.2, 6, 105, 1.20},
+                          {"bush", 0.15, 1.5, 2.4, 5, 44, 0.88}};
 
 dvec3 random_direction(uint32_t a, uint32_t b) {
   const double up = 2 * random_unit(a, b, 1) - 1, angle = 2 * Track::pi * random_unit(a, b, 2);
@@ -29,10 +29,13 @@ dvec3 random_direction(uint32_t a, uint32_t b) {
   return {flat * std::cos(angle), up, flat * std::sin(angle)};
 }
 
-// A card looks outwards; its normals lean away from the crown's middle, so that the crown is shaded as one volume.
-void add_card(Triangles& to, dvec3 place, dvec3 out, dvec3 crown_centre, double size, double shade, uint32_t seed) {
+// A card looks outwards; its normals lean away from the crown's middle, so that the crown is shaded as one
+// volume.
+void add_card(Triangles& to, dvec3 place, dvec3 out, dvec3 crown_centre, double size, double shade,
+              uint32_t seed) {
   const dvec3 facing = glm::normalize(out + 0.9 * random_direction(seed, 91));
-  const dvec3 side = glm::normalize(glm::cross(std::abs(facing.y) < 0.9 ? dvec3(0, 1, 0) : dvec3(1, 0, 0), facing));
+  const dvec3 side =
+      glm::normalize(glm::cross(std::abs(facing.y) < 0.9 ? dvec3(0, 1, 0) : dvec3(1, 0, 0), facing));
   const double turn = 2 * Track::pi * random_unit(seed, 92);
   const dvec3 up = glm::cross(facing, side);
   const dvec3 u = size / 2 * (std::cos(turn) * side + std::sin(turn) * up);
@@ -49,7 +52,8 @@ void add_card(Triangles& to, dvec3 place, dvec3 out, dvec3 crown_centre, double 
 
 Triangles crown(const Kind& kind, uint32_t seed) {
   Triangles t;
-  const dvec3 half(kind.width / 2, kind.height / 2, kind.width / 2), middle(0, kind.trunk + kind.height / 2, 0);
+  const dvec3 half(kind.width / 2, kind.height / 2, kind.width / 2),
+      middle(0, kind.trunk + kind.height / 2, 0);
   for (int i = 0; i < kind.cards; ++i) {
     const auto lobe = uint32_t(i % kind.lobes);
     const dvec3 lobe_out = random_direction(lobe, seed);
@@ -59,7 +63,8 @@ Triangles crown(const Kind& kind, uint32_t seed) {
     const dvec3 place = lobe_centre + reach * out * half;
     const double height = (place.y - kind.trunk) / kind.height, depth = glm::length((place - middle) / half);
     const double shade = std::min(1.0, 0.30 + 0.40 * height + 0.35 * depth * depth);
-    add_card(t, place, glm::normalize(out + 0.6 * lobe_out), middle, kind.card, shade, hashed(seed, uint32_t(i)));
+    add_card(t, place, glm::normalize(out + 0.6 * lobe_out), middle, kind.card, shade,
+             hashed(seed, uint32_t(i)));
   }
   return t;
 }
@@ -67,50 +72,57 @@ Triangles crown(const Kind& kind, uint32_t seed) {
 Triangles trunk(const Kind& kind) {
   Triangles t;
   const double thick = 0.05 * kind.width, top = kind.trunk + 0.55 * kind.height;
-  add_lathe(t, dvec3(0), {0, 1, 0}, {{1.7 * thick, -0.3}, {1.1 * thick, 0.35}, {0.9 * thick, kind.trunk}, {0.25 * thick, top}}, 8);
-  for (uint32_t i = 0; i < 4; ++i) {
-    const double angle = 1.7 * i + 0.4;
+  add_lathe(t, dvec3(0), {0, 1, 0},
+            {{1.7 * thick, -0.3}, {1.1 * thick, 0.35}, {0.9 * thick, kind.trunk}, {0.25 * thick, top}}, 6);
+  for (uint32_t i = 0; i < 3; ++i) {
+    const double angle = 2.1 * i + 0.4;
     const dvec3 along = glm::normalize(dvec3(std::cos(angle), 1.1, std::sin(angle)));
-    add_lathe(t, dvec3(0, kind.trunk + 0.06 * kind.height * i, 0), along, {{0.5 * thick, 0}, {0.15 * thick, 0.30 * kind.width}}, 5);
+    add_lathe(t, dvec3(0, kind.trunk + 0.06 * kind.height * i, 0), along,
+              {{0.5 * thick, 0}, {0.15 * thick, 0.30 * kind.width}}, 4);
   }
   return t;
 }
 
-int add_copse_mesh(Glb& glb, const WorldMaterials& m) {
+// A wood's edge seen from a hundred metres: few, large cards.
+Triangles copse() {
   Triangles t;
-  for (uint32_t i = 0; i < 9; ++i) {
-    const double size = 3.0 + 2.2 * random_unit(i, 95);
-    add_rounded(t, {22 * (random_unit(i, 96) - 0.5), size * 0.75, 12 * (random_unit(i, 97) - 0.5)},
-                {size * 0.9, size * 1.15, size * 0.9}, 2.2, 3);
+  for (uint32_t i = 0; i < 6; ++i) {
+    const double size = 7 + 4 * random_unit(i, 95);
+    const Kind kind{"", 0.4, size, 0.85 * size, 5, 28, 0.42 * size};
+    const dvec3 place(26 * (random_unit(i, 96) - 0.5), 0, 12 * (random_unit(i, 97) - 0.5));
+    t.append(transformed(crown(kind, 200 + i), glm::dmat3(1.0), place));
   }
-  return glb.add_mesh("copse", {{m.woods, t}});
+  return t;
 }
 
-void plant(Glb& glb, const std::string& name, int mesh, double along, double left, double scale, double turned) {
+void plant(Glb& glb, const std::string& name, int mesh, double along, double left, double scale,
+           double turned) {
   Placement place = on_track(along, left, 0, turned);
   place.translation.y = ground_height(place.translation) - 0.05;
   place.scale = dvec3(scale);
   glb.add_node(name, -1, place, {{"mesh", mesh}});
 }
 
-}  // namespace
+} // namespace
 
 void add_trees(Glb& glb, const WorldMaterials& m) {
   int meshes[4];
   for (uint32_t kind = 0; kind < 4; ++kind)
-    meshes[kind] = glb.add_mesh(kinds[kind].name, {{m.leaves, crown(kinds[kind], 100 + kind)}, {m.bark, trunk(kinds[kind])}});
+    meshes[kind] = glb.add_mesh(kinds[kind].name,
+                                {{m.leaves, crown(kinds[kind], 100 + kind)}, {m.bark, trunk(kinds[kind])}});
   for (uint32_t i = 0; i < 128; ++i) {
     const auto pick = [&](uint32_t what) { return random_unit(i, what, 77); };
     const bool outside = i % 8 < 6, bush = i % 4 == 3;
     const double along = -45 + 520.0 * (i + pick(1)) / 128;
-    const double left = outside ? (bush ? -8.0 - 5 * pick(2) : -10.5 - 34 * pick(2) * pick(3)) : 17 + 40 * pick(2) * pick(3);
+    const double left =
+        outside ? (bush ? -8.0 - 5 * pick(2) : -10.5 - 34 * pick(2) * pick(3)) : 17 + 40 * pick(2) * pick(3);
     const int kind = bush ? 3 : int(3 * pick(4));
     plant(glb, "tree_" + std::to_string(i), meshes[kind], along, left, 0.8 + 0.5 * pick(5), 6.28 * pick(6));
   }
-  const int copse = add_copse_mesh(glb, m);
-  for (uint32_t i = 0; i < 56; ++i)
-    plant(glb, "copse_" + std::to_string(i), copse, Track::length * (i + 0.8 * random_unit(i, 98)) / 56,
+  const int wood = glb.add_mesh("copse", {{m.leaves, copse()}});
+  for (uint32_t i = 0; i < 48; ++i)
+    plant(glb, "copse_" + std::to_string(i), wood, Track::length * (i + 0.8 * random_unit(i, 98)) / 48,
           -62 - 110 * random_unit(i, 99), 0.9 + 0.7 * random_unit(i, 100), random_unit(i, 101) - 0.5);
 }
 
-}  // namespace unghost::author
+} // namespace unghost::author

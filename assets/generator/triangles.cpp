@@ -56,7 +56,8 @@ void add_box(Triangles& to, dvec3 centre, dvec3 half, const dmat3& turn) {
       across[(axis + 1) % 3] = side * half[(axis + 1) % 3];
       up[(axis + 2) % 3] = half[(axis + 2) % 3];
       const auto at = [&](dvec3 p) { return centre + turn * p; };
-      add_flat_quad(to, at(out - across - up), at(out + across - up), at(out + across + up), at(out - across + up));
+      add_flat_quad(to, at(out - across - up), at(out + across - up), at(out + across + up),
+                    at(out - across + up));
     }
   }
 }
@@ -68,7 +69,7 @@ std::vector<std::pair<dvec2, dvec2>> profile_normals(const std::vector<ProfilePo
   std::vector<dvec2> segment;
   for (size_t i = 0; i + 1 < profile.size(); ++i) {
     const dvec2 d(profile[i + 1].radius - profile[i].radius, profile[i + 1].along - profile[i].along);
-    segment.push_back(glm::normalize(dvec2(d.y, -d.x)));  // (out from the axis, along it)
+    segment.push_back(glm::normalize(dvec2(d.y, -d.x))); // (out from the axis, along it)
   }
   std::vector<std::pair<dvec2, dvec2>> normals;
   for (size_t i = 0; i < profile.size(); ++i) {
@@ -79,11 +80,13 @@ std::vector<std::pair<dvec2, dvec2>> profile_normals(const std::vector<ProfilePo
   return normals;
 }
 
-}  // namespace
+} // namespace
 
-void add_lathe(Triangles& to, dvec3 centre, dvec3 axis, const std::vector<ProfilePoint>& profile, int segments) {
+void add_lathe(Triangles& to, dvec3 centre, dvec3 axis, const std::vector<ProfilePoint>& profile,
+               int segments) {
   axis = glm::normalize(axis);
-  const dvec3 side = glm::normalize(glm::cross(axis, std::abs(axis.y) < 0.9 ? dvec3(0, 1, 0) : dvec3(1, 0, 0)));
+  const dvec3 side =
+      glm::normalize(glm::cross(axis, std::abs(axis.y) < 0.9 ? dvec3(0, 1, 0) : dvec3(1, 0, 0)));
   const dvec3 third = glm::cross(axis, side);
   const auto normals = profile_normals(profile);
   const auto spoke = [&](int i) {
@@ -113,7 +116,8 @@ void add_grid(Triangles& to, int columns, int rows, const std::function<dvec3(do
   for (int row = 0; row <= rows; ++row) {
     for (int column = 0; column <= columns; ++column) {
       const double u = double(column) / columns, v = double(row) / rows;
-      const dvec3 du = surface(u + step, v) - surface(u - step, v), dv = surface(u, v + step) - surface(u, v - step);
+      const dvec3 du = surface(u + step, v) - surface(u - step, v),
+                  dv = surface(u, v + step) - surface(u, v - step);
       to.add(surface(u, v), glm::cross(du, dv));
     }
   }
@@ -125,7 +129,8 @@ void add_grid(Triangles& to, int columns, int rows, const std::function<dvec3(do
 
 void add_rounded(Triangles& to, dvec3 centre, dvec3 half, double power, int cells, const dmat3& turn) {
   const auto lift = [power](dvec3 p) {
-    return std::pow(std::pow(std::abs(p.x), power) + std::pow(std::abs(p.y), power) + std::pow(std::abs(p.z), power),
+    return std::pow(std::pow(std::abs(p.x), power) + std::pow(std::abs(p.y), power) +
+                        std::pow(std::abs(p.z), power),
                     1 / power);
   };
   for (int axis = 0; axis < 3; ++axis) {
@@ -139,7 +144,8 @@ void add_rounded(Triangles& to, dvec3 centre, dvec3 half, double power, int cell
           p[(axis + 2) % 3] = std::tan((2.0 * row / cells - 1) * std::numbers::pi / 4);
           p /= lift(p);
           dvec3 n;
-          for (int i = 0; i < 3; ++i) n[i] = std::copysign(std::pow(std::abs(p[i]), power - 1), p[i]) / half[i];
+          for (int i = 0; i < 3; ++i)
+            n[i] = std::copysign(std::pow(std::abs(p[i]), power - 1), p[i]) / half[i];
           to.add(centre + turn * (half * p), turn * n);
         }
       }
@@ -167,4 +173,4 @@ Triangles transformed(const Triangles& from, const dmat3& linear, dvec3 offset) 
 
 dmat3 turn_about(dvec3 axis, double radians) { return dmat3(glm::rotate(glm::dmat4(1.0), radians, axis)); }
 
-}  // namespace unghost::author
+} // namespace unghost::author

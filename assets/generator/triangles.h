@@ -1,4 +1,5 @@
-// Triangle lists while they are being authored, in double precision, and the few solids that most props are made of.
+// Triangle lists while they are being authored, in double precision, and the few solids that most props are
+// made of.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +14,7 @@ namespace unghost::author {
 struct Triangles {
   std::vector<glm::dvec3> positions, normals;
   std::vector<glm::dvec2> uvs;
-  std::vector<glm::dvec4> colours;  // linear
+  std::vector<glm::dvec4> colours; // linear
   std::vector<uint32_t> indices;
 
   uint32_t add(glm::dvec3 position, glm::dvec3 normal);
@@ -31,24 +32,25 @@ void add_flat_quad(Triangles& to, glm::dvec3 a, glm::dvec3 b, glm::dvec3 c, glm:
 /// A box with flat faces, from its centre and half sizes along the axes of `turn`.
 void add_box(Triangles& to, glm::dvec3 centre, glm::dvec3 half, const glm::dmat3& turn = glm::dmat3(1.0));
 
-/// One point of a profile that turns about an axis: distance from it, place along it. `crease` splits the normals.
+/// One point of a profile that turns about an axis: distance from it, place along it. `crease` splits the
+/// normals.
 struct ProfilePoint {
   double radius, along;
   bool crease = false;
 };
 
-/// A surface of revolution about `axis` through `centre`. The outside is to the right of the profile's direction
-/// when `along` is drawn to the right and `radius` up... turned a quarter: walking along +axis at constant radius, it
-/// faces away from the axis.
+/// A surface of revolution about `axis` through `centre`. The outside is to the right of the profile's
+/// direction when `along` is drawn to the right and `radius` up... turned a quarter: walking along +axis at
+/// constant radius, it faces away from the axis.
 void add_lathe(Triangles& to, glm::dvec3 centre, glm::dvec3 axis, const std::vector<ProfilePoint>& profile,
                int segments);
 
-/// A grid of (columns + 1) x (rows + 1) points of a surface over the unit square, with normals from its derivatives:
-/// they point along d/du x d/dv.
+/// A grid of (columns + 1) x (rows + 1) points of a surface over the unit square, with normals from its
+/// derivatives: they point along d/du x d/dv.
 void add_grid(Triangles& to, int columns, int rows, const std::function<glm::dvec3(double, double)>& surface);
 
-/// A closed, rounded solid: a cube's grid pushed out to the superellipsoid |x|^power + ... = 1, then mapped to
-/// `centre` + `turn` * (half * p).
+/// A closed, rounded solid: a cube's grid pushed out to the superellipsoid |x|^power + ... = 1, then mapped
+/// to `centre` + `turn` * (half * p).
 void add_rounded(Triangles& to, glm::dvec3 centre, glm::dvec3 half, double power, int cells,
                  const glm::dmat3& turn = glm::dmat3(1.0));
 
@@ -60,4 +62,4 @@ Triangles transformed(const Triangles& from, const glm::dmat3& linear, glm::dvec
 
 glm::dmat3 turn_about(glm::dvec3 axis, double radians);
 
-}  // namespace unghost::author
+} // namespace unghost::author

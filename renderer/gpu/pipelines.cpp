@@ -128,7 +128,8 @@ VkPipelineDepthStencilStateCreateInfo depth_state(const GraphicsDesc& desc) {
           .back = write};
 }
 
-VkPipelineColorBlendAttachmentState blend_state(bool blends) {
+/// An attachment that is left out is not written.
+VkPipelineColorBlendAttachmentState blend_state(bool blends, VkFormat format) {
   constexpr VkColorComponentFlags all =
       VK_COLOR_COMPONENT_R_BIT | VK_COLOR_COMPONENT_G_BIT | VK_COLOR_COMPONENT_B_BIT | VK_COLOR_COMPONENT_A_BIT;
   return {.blendEnable = blends,  // premultiplied
@@ -136,7 +137,7 @@ VkPipelineColorBlendAttachmentState blend_state(bool blends) {
           .dstColorBlendFactor = VK_BLEND_FACTOR_ONE_MINUS_SRC_ALPHA,
           .srcAlphaBlendFactor = VK_BLEND_FACTOR_ONE,
           .dstAlphaBlendFactor = VK_BLEND_FACTOR_ONE_MINUS_SRC_ALPHA,
-          .colorWriteMask = all};
+          .colorWriteMask = format == VK_FORMAT_UNDEFINED ? 0 : all};
 }
 
 std::string graphics_key(const GraphicsDesc& d, VkPipelineLayout layout) {
@@ -176,7 +177,8 @@ VkPipeline Pipelines::graphics(const GraphicsDesc& desc, VkPipelineLayout layout
       .sType = VK_STRUCTURE_TYPE_PIPELINE_MULTISAMPLE_STATE_CREATE_INFO,
       .rasterizationSamples = VK_SAMPLE_COUNT_1_BIT};
   const VkPipelineDepthStencilStateCreateInfo depth = depth_state(desc);
-  const std::vector<VkPipelineColorBlendAttachmentState> blends(desc.colours.size(), blend_state(desc.blends));
+  std::vector<VkPipelineColorBlendAttachmentState> blends;
+  for (const VkFormat format : desc.colours) blends.push_back(blend_state(desc.blends, format));
   const VkPipelineColorBlendStateCreateInfo blending{
       .sType = VK_STRUCTURE_TYPE_PIPELINE_COLOR_BLEND_STATE_CREATE_INFO,
       .attachmentCount = uint32_t(blends.size()),

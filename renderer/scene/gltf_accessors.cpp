@@ -8,6 +8,9 @@ namespace unghost::gltf {
 
 namespace {
 
+// Read from accessors that were read before: 8 numbers of a million vertices.
+constexpr uint64_t most_repeated_numbers = 8'000'000;
+
 uint64_t size_of(Component component) {
   switch (component) {
   case Component::i8:
@@ -116,7 +119,7 @@ void set_type(Accessor& accessor, const std::string& type, const std::string& po
 
 Accessors::Accessors(const Json& document, const Container& container, Folder& folder,
                      const LoadLimits& limits)
-    : numbers_left_(limits.geometry_bytes / sizeof(float)) {
+    : numbers_left_(limits.geometry_bytes / sizeof(float)), repeats_left_(most_repeated_numbers) {
   load_buffers(document, container, folder, limits);
   check_views(document);
   const auto accessors = document.find("accessors");
@@ -224,34 +227,37 @@ std::vector<uint32_t> Accessors::sparse_places(const Accessor& accessor, const s
   return places;
 }
 
-void Accessors::charge(const Accessor& accessor, const std::string& pointer) const {
-  const uint64_t numbers = accessor.count * uint64_t(accessor.components);
-  if (numbers > numbers_left_) refuse("the document reads more numbers than are allowed", pointer);
-  numbers_left_ -= numbers;
+void Accessors::charge(size_t index, const std::string& pointer) const {
+  was_read_.resize(accessors_.size(), false);
+  const uint64_t numbers = accessors_[index].count * uint64_t(accessors_[index].components);
+  const uint64_t repeats = was_read_[index] ? numbers : 0;
+  if (numbers > numbers_left_ || repeats > repeats_left_) {
+    refuse("the document reads more numbers than are allowed", pointer);
+  }
+  numbers_left_ -= numbers, repeats_left_ -= repeats;
+  was_read_[index] = true;
 }
 
 template <class Out, class Convert> std::vector<Out> Accessors::read(size_t index, Convert convert) const {
   const Accessor& accessor = accessors_[index];
   const std::string pointer = pointer_to("accessors", index);
   if (accessor.is_matrix) refuse("is a matrix where none is expected", pointer + "/type");
-  charge(accessor, pointer);
+  charge(index, pointer);
   const uint64_t width = uint64_t(accessor.components), size = size_of(accessor.component);
   std::vector<Out> out(accessor.count * width, Out{0});
-  const auto copy = [&](size_t view, uint64_t offset, uint64_t element, uint64_t place) {
-    const std::span<const uint8_t> bytes = bytes_of_view(view, pointer);
+  // check_fits has seen that all of `count` elements are there.
+  const auto copy = [&](size_t view, uint64_t offset, uint64_t count, const uint32_t* places) {
+    const uint8_t* bytes = bytes_of_view(view, pointer).data() + offset;
     const uint64_t stride = views_[view].stride ? views_[view].stride : width * size;
-    for (uint64_t c = 0; c < width; ++c) {
-      out[place * width + c] = convert(&bytes[offset + element * stride + c * size], accessor);
+    for (uint64_t i = 0; i < count; ++i) {
+      Out* to = out.data() + (places ? places[i] : i) * width;
+      for (uint64_t c = 0; c < width; ++c) to[c] = convert(bytes + i * stride + c * size, accessor);
     }
   };
-  if (accessor.view) {
-    for (uint64_t i = 0; i < accessor.count; ++i) copy(*accessor.view, accessor.offset, i, i);
-  }
+  if (accessor.view) copy(*accessor.view, accessor.offset, accessor.count, nullptr);
   if (accessor.sparse) {
     const std::vector<uint32_t> places = sparse_places(accessor, pointer);
-    for (uint64_t i = 0; i < places.size(); ++i) {
-      copy(accessor.sparse->value_view, accessor.sparse->value_offset, i, places[i]);
-    }
+    copy(accessor.sparse->value_view, accessor.sparse->value_offset, places.size(), places.data());
   }
   return out;
 }

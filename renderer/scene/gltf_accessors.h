@@ -76,13 +76,15 @@ private:
   void check_fits(const Span& span, uint64_t size, uint64_t packed, const std::string& pointer) const;
   template <class Out, class Convert> std::vector<Out> read(size_t accessor, Convert convert) const;
   std::vector<uint32_t> sparse_places(const Accessor& accessor, const std::string& pointer) const;
-  void charge(const Accessor& accessor, const std::string& pointer) const;
+  void charge(size_t accessor, const std::string& pointer) const;
 
   std::vector<Buffer> buffers_;
   std::vector<uint64_t> buffer_lengths_; // as the document says
   std::vector<View> views_;
   std::vector<Accessor> accessors_;
-  mutable uint64_t numbers_left_; // a small file may ask for the same large accessor again and again
+  // A small file may ask for much by asking again and again.
+  mutable uint64_t numbers_left_, repeats_left_;
+  mutable std::vector<bool> was_read_;
 };
 
 } // namespace unghost::gltf

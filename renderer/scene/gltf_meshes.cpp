@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <unordered_map>
 
 #include "renderer/scene/gltf_attributes.h"
 #include "renderer/scene/gltf_topology.h"
@@ -11,19 +12,17 @@ namespace unghost::gltf {
 
 namespace {
 
-/// Drops vertices that no index names: what several primitives share is copied for each that needs tangents.
-void drop_unused(std::vector<Vertex>& vertices, std::vector<uint32_t>& indices) {
-  constexpr uint32_t unused = UINT32_MAX;
-  std::vector<uint32_t> places(vertices.size(), unused);
+/// The vertices that `indices` name, which then count from their first: what several primitives share is
+/// copied for each that needs tangents of its own.
+std::vector<Vertex> picked(const std::vector<Vertex>& vertices, std::vector<uint32_t>& indices) {
+  std::unordered_map<uint32_t, uint32_t> places;
   std::vector<Vertex> used;
   for (uint32_t& index : indices) {
-    if (places[index] == unused) {
-      places[index] = uint32_t(used.size());
-      used.push_back(vertices[index]);
-    }
-    index = places[index];
+    const auto [at, is_new] = places.try_emplace(index, uint32_t(used.size()));
+    if (is_new) used.push_back(vertices[index]);
+    index = at->second;
   }
-  vertices = std::move(used);
+  return used;
 }
 
 class Reader {
@@ -52,12 +51,16 @@ private:
   std::vector<uint32_t> triangles(const tinygltf::Primitive& from, const std::string& pointer) const;
   Range vertices(const tinygltf::Primitive& from, int material, std::vector<uint32_t>& indices,
                  const std::string& pointer);
+  Range store(const std::vector<Vertex>& vertices, size_t indices, const std::string& pointer);
+  const std::vector<Vertex>& as_in_file(const tinygltf::Primitive& from, const std::string& pointer);
   void check_budget(uint64_t vertices, uint64_t indices, const std::string& pointer) const;
 
   Scene& scene_;
   Sources from_;
   bool quantized_;
   std::map<Attributes, Range> shared_; // primitives often are parts of the same vertices
+  Attributes last_attributes_;
+  std::vector<Vertex> last_vertices_;
 };
 
 bool Reader::can_be_drawn(const tinygltf::Primitive& from) {
@@ -110,30 +113,39 @@ std::vector<uint32_t> Reader::triangles(const tinygltf::Primitive& from, const s
   return triangle_list(Topology(from.mode), indices);
 }
 
+Reader::Range Reader::store(const std::vector<Vertex>& vertices, size_t indices, const std::string& pointer) {
+  check_budget(vertices.size(), indices, pointer);
+  const Range range{uint32_t(scene_.vertices.size()), uint32_t(vertices.size())};
+  scene_.vertices.insert(scene_.vertices.end(), vertices.begin(), vertices.end());
+  return range;
+}
+
+const std::vector<Vertex>& Reader::as_in_file(const tinygltf::Primitive& from, const std::string& pointer) {
+  if (from.attributes != last_attributes_) {
+    last_vertices_ = read_vertices(from.attributes, from_.accessors, quantized_, pointer);
+    last_attributes_ = from.attributes;
+  }
+  return last_vertices_;
+}
+
 Reader::Range Reader::vertices(const tinygltf::Primitive& from, int material, std::vector<uint32_t>& indices,
                                const std::string& pointer) {
   const bool has_normals = from.attributes.contains("NORMAL");
   const TextureUse& normal_map = scene_.materials[size_t(material)].normal_texture;
   // glTF 2.0, 3.7.2.1: tangents without normals are to be ignored.
   const bool needs_tangents = normal_map.image >= 0 && !(has_normals && from.attributes.contains("TANGENT"));
-  const bool as_in_file = has_normals && !needs_tangents;
-  if (as_in_file) {
+  if (has_normals && !needs_tangents) {
     if (const auto known = shared_.find(from.attributes); known != shared_.end()) return known->second;
+    return shared_[from.attributes] = store(as_in_file(from, pointer), indices.size(), pointer);
   }
-  std::vector<Vertex> vertices = read_vertices(from.attributes, from_.accessors, quantized_, pointer);
-  if (!has_normals)
-    check_budget(indices.size(), indices.size(), pointer), make_flat_normals(vertices, indices);
-  if (needs_tangents) {
-    drop_unused(vertices, indices);
-    make_tangents(vertices, indices, normal_map);
-  } else if (!has_normals) {
+  std::vector<Vertex> vertices = picked(as_in_file(from, pointer), indices);
+  if (!has_normals) {
+    check_budget(indices.size(), indices.size(), pointer);
+    make_flat_normals(vertices, indices);
     for (Vertex& vertex : vertices) vertex.tangent = glm::vec4(perpendicular_to(vertex.normal), 1);
   }
-  check_budget(vertices.size(), indices.size(), pointer);
-  const Range range{uint32_t(scene_.vertices.size()), uint32_t(vertices.size())};
-  scene_.vertices.insert(scene_.vertices.end(), vertices.begin(), vertices.end());
-  if (as_in_file) shared_[from.attributes] = range;
-  return range;
+  if (needs_tangents) make_tangents(vertices, indices, normal_map);
+  return store(vertices, indices.size(), pointer);
 }
 
 Primitive Reader::primitive(const tinygltf::Primitive& from, const std::string& pointer) {

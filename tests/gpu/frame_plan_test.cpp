@@ -1,0 +1,243 @@
+// The graph without a device: what runs, what exists, and which barriers stand between.
+#include <gtest/gtest.h>
+
+#include "renderer/gpu/frame_plan.h"
+
+namespace unghost {
+namespace {
+
+constexpr VkFormat colour_format = VK_FORMAT_R16G16B16A16_SFLOAT;
+
+struct Declared {
+  KeptImages kept;
+  uint64_t frame = 0;
+  FrameGraph graph{kept, frame};
+
+  ImageRef image(const char* name, VkFormat format = colour_format) {
+    return graph.image({.name = name, .format = format, .extent = {64, 32}});
+  }
+  void compute(const char* name, std::vector<ImageRef> reads, std::vector<ImageRef> writes) {
+    Pass pass{.name = name};
+    uint32_t slot = 0;
+    for (const ImageRef read : reads) pass.bindings.push_back(sampled(++slot, read));
+    for (const ImageRef written : writes) pass.bindings.push_back(storage_write(++slot, written));
+    graph.pass(std::move(pass));
+  }
+  std::vector<std::string> running() const {
+    std::vector<std::string> names;
+    for (const PlannedPass& pass : cull(graph).passes) names.push_back(graph.passes()[pass.pass].name);
+    return names;
+  }
+  FramePlan planned() const {
+    FramePlan plan = cull(graph);
+    std::vector<uint32_t> place(graph.images().size());
+    for (uint32_t i = 0; i < place.size(); ++i) place[i] = i;
+    std::vector<ImageState> states(place.size());
+    derive_barriers(graph, plan, place, states);
+    return plan;
+  }
+};
+
+using Names = std::vector<std::string>;
+
+TEST(FramePlan, RunsNothingThatNobodyWants) {
+  Declared d;
+  const ImageRef a = d.image("a"), b = d.image("b"), c = d.image("c");
+  d.compute("makes a", {}, {a});
+  d.compute("makes b from a", {a}, {b});
+  d.compute("makes c from a", {a}, {c});
+  EXPECT_EQ(d.running(), Names{});
+  d.graph.want(b);
+  EXPECT_EQ(d.running(), (Names{"makes a", "makes b from a"}));
+}
+
+TEST(FramePlan, KeepsTheOrderOfDeclaration) {
+  Declared d;
+  const ImageRef a = d.image("a"), b = d.image("b"), c = d.image("c");
+  d.compute("first", {}, {b});
+  d.compute("second", {}, {a});
+  d.compute("third", {a, b}, {c});
+  d.graph.want(c);
+  EXPECT_EQ(d.running(), (Names{"first", "second", "third"}));
+}
+
+TEST(FramePlan, AllocatesOnlyWhatLives) {
+  Declared d;
+  const ImageRef wanted = d.image("wanted"), unread = d.image("unread"), never = d.image("never");
+  d.compute("makes both", {}, {wanted, unread});
+  d.compute("makes none", {unread}, {never});
+  d.graph.want(wanted);
+  const FramePlan plan = cull(d.graph);
+  EXPECT_TRUE(plan.images[wanted.index].live);
+  EXPECT_TRUE(plan.images[unread.index].needed);  // its descriptor must be valid: 1x1
+  EXPECT_FALSE(plan.images[unread.index].live);
+  EXPECT_FALSE(plan.images[never.index].needed);
+}
+
+TEST(FramePlan, DropsAttachmentsThatNobodyReads) {
+  Declared d;
+  const ImageRef albedo = d.image("albedo"), object = d.image("object", VK_FORMAT_R32_UINT),
+                 depth = d.image("depth", VK_FORMAT_D32_SFLOAT_S8_UINT), lit = d.image("lit");
+  const VkClearValue zero{};
+  d.graph.pass({.name = "g-buffer",
+                .kind = PassKind::raster,
+                .attachments = {{albedo, zero}, {object, zero}, {depth, zero, Use::depth_attachment}}});
+  d.compute("light", {albedo}, {lit});
+  d.graph.want(lit);
+  const FramePlan plan = d.planned();
+  EXPECT_FALSE(plan.images[object.index].needed);
+  EXPECT_TRUE(plan.images[depth.index].live) << "the depth test reads it";
+  for (const ImageBarrier& barrier : plan.passes[0].barriers) EXPECT_NE(barrier.image, object);
+}
+
+TEST(FramePlan, ReadBacksAreRoots) {
+  Declared d;
+  const ImageRef a = d.image("a");
+  d.compute("makes a", {}, {a});
+  d.graph.read_back(a, VK_IMAGE_ASPECT_COLOR_BIT);
+  EXPECT_EQ(d.running(), (Names{"makes a", "read back a"}));
+}
+
+TEST(FramePlan, BarrierFromWriteToRead) {
+  Declared d;
+  const ImageRef a = d.image("a"), b = d.image("b");
+  d.compute("writes", {}, {a});
+  d.compute("reads", {a}, {b});
+  d.graph.want(b);
+  const FramePlan plan = d.planned();
+  ASSERT_EQ(plan.passes[1].barriers.size(), 2u);  // a is read, b is written for the first time
+  const ImageBarrier& barrier = plan.passes[1].barriers[0];
+  EXPECT_EQ(barrier.image, a);
+  EXPECT_EQ(barrier.from, VK_IMAGE_LAYOUT_GENERAL);
+  EXPECT_EQ(barrier.to, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
+  EXPECT_EQ(barrier.from_stages, VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT);
+  EXPECT_EQ(barrier.from_access, VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT);
+  EXPECT_EQ(barrier.to_stages, VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT);
+  EXPECT_EQ(barrier.to_access, VK_ACCESS_2_SHADER_SAMPLED_READ_BIT);
+}
+
+TEST(FramePlan, SecondReadInTheSameStageNeedsNoBarrier) {
+  Declared d;
+  const ImageRef a = d.image("a"), b = d.image("b"), c = d.image("c");
+  d.compute("writes", {}, {a});
+  d.compute("reads", {a}, {b});
+  d.compute("reads again", {a}, {c});
+  d.graph.want(b);
+  d.graph.want(c);
+  const FramePlan plan = d.planned();
+  for (const ImageBarrier& barrier : plan.passes[2].barriers) EXPECT_NE(barrier.image, a);
+}
+
+TEST(FramePlan, ReadInAnotherStageWaitsForTheWrite) {
+  Declared d;
+  const ImageRef a = d.image("a"), b = d.image("b"), c = d.image("c");
+  d.compute("writes", {}, {a});
+  d.compute("reads", {a}, {b});
+  d.graph.pass({.name = "reads in fragments",
+                .kind = PassKind::raster,
+                .bindings = {sampled(1, a)},
+                .attachments = {{c, VkClearValue{}}}});
+  d.graph.want(b);
+  d.graph.want(c);
+  const FramePlan plan = d.planned();
+  bool found = false;
+  for (const ImageBarrier& barrier : plan.passes[2].barriers)
+    if (barrier.image == a) {
+      found = true;
+      EXPECT_EQ(barrier.to_stages, VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT);
+      EXPECT_NE(barrier.from_stages & VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT, 0u);
+      EXPECT_EQ(barrier.from, barrier.to);
+    }
+  EXPECT_TRUE(found);
+}
+
+TEST(FramePlan, WriteAfterReadWaitsForTheReaders) {
+  Declared d;
+  const ImageRef a = d.image("a"), b = d.image("b");
+  d.compute("writes", {}, {a});
+  d.compute("reads", {a}, {b});
+  d.graph.pass({.name = "overwrites", .bindings = {sampled(1, b), storage_write(2, a)}});
+  d.graph.want(a);
+  const FramePlan plan = d.planned();
+  bool found = false;
+  for (const ImageBarrier& barrier : plan.passes[2].barriers)
+    if (barrier.image == a) {
+      found = true;
+      EXPECT_NE(barrier.from_stages & VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT, 0u);
+      EXPECT_EQ(barrier.to_access, VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT);
+    }
+  EXPECT_TRUE(found);
+}
+
+TEST(FramePlan, ContentOfThisFrameStartsUndefinedAndKeptContentDoesNot) {
+  KeptImages kept;
+  const ImageDesc desc{.name = "h", .format = colour_format, .extent = {8, 8}};
+  const auto frame = [&](uint64_t number) {
+    FrameGraph graph(kept, number);
+    const History history = graph.history("h", desc, false);
+    graph.pass({.name = "resolve", .bindings = {sampled(1, history.previous), storage_write(2, history.next)}});
+    FramePlan plan = cull(graph);
+    std::vector<uint32_t> place{0, 1};
+    std::vector<ImageState> states(2, {.layout = VK_IMAGE_LAYOUT_GENERAL});
+    derive_barriers(graph, plan, place, states);
+    note_kept(graph, plan);
+    EXPECT_EQ(history.valid, number > 0);
+    for (const ImageBarrier& barrier : plan.passes[0].barriers)
+      EXPECT_EQ(barrier.from == VK_IMAGE_LAYOUT_UNDEFINED, barrier.image == history.next);
+  };
+  frame(0);
+  frame(1);
+  frame(2);
+}
+
+/// Whether the history of frame `number` is valid, with that size, after what `kept` remembers.
+bool history_valid(KeptImages& kept, uint64_t number, uint32_t width, bool reset = false, bool writes = true) {
+  FrameGraph graph(kept, number);
+  const History history =
+      graph.history("h", {.name = "h", .format = colour_format, .extent = {width, 8}}, reset);
+  if (writes) graph.pass({.name = "resolve", .bindings = {storage_write(1, history.next)}});
+  note_kept(graph, cull(graph));
+  return history.valid;
+}
+
+TEST(History, IsNotValidAtFirstAfterAResizeAResetOrAGap) {
+  KeptImages kept;
+  EXPECT_FALSE(history_valid(kept, 0, 8));
+  EXPECT_TRUE(history_valid(kept, 1, 8));
+  EXPECT_FALSE(history_valid(kept, 2, 16)) << "another size";
+  EXPECT_TRUE(history_valid(kept, 3, 16));
+  EXPECT_FALSE(history_valid(kept, 4, 16, true)) << "a cut";
+  EXPECT_TRUE(history_valid(kept, 5, 16));
+  EXPECT_FALSE(history_valid(kept, 7, 16)) << "a frame without it";
+  EXPECT_TRUE(history_valid(kept, 8, 16, false, false));
+  EXPECT_FALSE(history_valid(kept, 9, 16)) << "a frame that did not write it";
+}
+
+TEST(History, PreviousOfAnInvalidOneIsNeutral) {
+  KeptImages kept;
+  FrameGraph graph(kept, 0);
+  const History history = graph.history("h", {.name = "h", .format = colour_format, .extent = {8, 8}}, false);
+  EXPECT_EQ(graph.desc(history.previous).extent.width, 1u);
+  EXPECT_NE(history.previous, history.next);
+}
+
+TEST(Cache, StaysValidUntilItsVersionChanges) {
+  KeptImages kept;
+  const auto valid = [&](uint64_t number, uint64_t version, bool writes = true) {
+    FrameGraph graph(kept, number);
+    const Cache cache = graph.cache("c", {.name = "c", .format = colour_format, .extent = {8, 8}}, version);
+    if (!cache.valid && writes) graph.pass({.name = "draw", .bindings = {storage_write(1, cache.image)}});
+    graph.want(cache.image);
+    note_kept(graph, cull(graph));
+    return cache.valid;
+  };
+  EXPECT_FALSE(valid(0, 7));
+  EXPECT_TRUE(valid(1, 7));
+  EXPECT_TRUE(valid(9, 7)) << "a gap does not matter";
+  EXPECT_FALSE(valid(10, 8, false));
+  EXPECT_FALSE(valid(11, 8)) << "declared, but never drawn";
+  EXPECT_TRUE(valid(12, 8));
+}
+
+}  // namespace
+}  // namespace unghost

@@ -144,7 +144,8 @@ void capture(const CommandLine& line, Console& console) {
     object["file"] = line.output.empty() ? nlohmann::json() : nlohmann::json(line.output);
     object["passes"] = nlohmann::json::array();
     for (const PassSummary& pass : headless.passes())
-      object["passes"].push_back({{"name", pass.name}, {"ms", pass.ms}, {"image_bytes", pass.image_bytes}});
+      object["passes"].push_back(
+          {{"name", pass.name}, {"ms", pass.ms}, {"frames", pass.frames}, {"image_bytes", pass.image_bytes}});
     object["wall_s"] = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     console.out << object.dump(2) << "\n";
   }

@@ -44,13 +44,15 @@ bool overlap(const Window& a, const Window& b) {
   return a.x < b.x + b.width && b.x < a.x + a.width && a.y < b.y + b.height && b.y < a.y + a.height;
 }
 
-std::optional<Window> best_window(const Blocks& sums, const Window& size, const std::vector<Window>& taken) {
+// Windows start on a block and lie in the picture; what of them is no whole block is not weighed.
+std::optional<Window> best_window(const Blocks& sums, const Image& picture, const Window& size,
+                                  const std::vector<Window>& taken) {
   const uint32_t columns = std::max(1u, size.width / block), rows = std::max(1u, size.height / block);
   const auto at = [&](uint32_t x, uint32_t y) { return sums.values[size_t(y) * sums.width + x]; };
   std::optional<Window> best;
   double most = -1;
-  for (uint32_t y = 0; y + rows < sums.height; ++y)
-    for (uint32_t x = 0; x + columns < sums.width; ++x) {
+  for (uint32_t y = 0; y + rows < sums.height && y * block + size.height <= picture.height; ++y)
+    for (uint32_t x = 0; x + columns < sums.width && x * block + size.width <= picture.width; ++x) {
       const Window window{x * block, y * block, size.width, size.height};
       const double sum = at(x + columns, y + rows) - at(x, y + rows) - at(x + columns, y) + at(x, y);
       if (sum <= most || std::ranges::any_of(taken, [&](const Window& w) { return overlap(w, window); }))
@@ -68,12 +70,10 @@ std::vector<Window> windows_of_difference(const Image& a, const Image& b, uint32
   if (width == 0 || height == 0) return windows;
   const Blocks sums = summed_differences(a, b);
   while (windows.size() < count) {
-    const std::optional<Window> window = best_window(sums, {0, 0, width, height}, windows);
+    const std::optional<Window> window = best_window(sums, a, {0, 0, width, height}, windows);
     if (!window) break;
     windows.push_back(*window);
   }
-  std::erase_if(windows,
-                [&](const Window& w) { return w.x + w.width > a.width || w.y + w.height > a.height; });
   return windows;
 }
 

@@ -109,6 +109,7 @@ std::vector<PassSummary> Headless::passes() const {
   for (const std::string& name : pass_order_) {
     PassSummary& summary = summaries.emplace_back(PassSummary{.name = name});
     std::vector<double> times;
+    summary.frames = pass_reports_.at(name).size();
     for (const PassReport& report : pass_reports_.at(name)) {
       if (report.ms > 0) times.push_back(report.ms);
       summary.image_bytes = std::max(summary.image_bytes, report.image_bytes);
@@ -129,14 +130,14 @@ nlohmann::json Headless::facts() const {
 
 void Headless::finish() const {
   if (line_.timings) {
-    Table table{{"pass", "ms", "images MiB"}};
+    Table table{{"pass", "frames", "ms", "images MiB"}};
     double total_ms = 0, total_mib = 0;
     for (const PassSummary& pass : passes()) {
       const double mib = double(pass.image_bytes) / (1 << 20);
-      total_ms += pass.ms, total_mib += mib;
-      table.add({pass.name, fixed(pass.ms, 2), fixed(mib, 1)});
+      total_ms += pass.ms * double(pass.frames) / shot_.frames, total_mib += mib;
+      table.add({pass.name, std::to_string(pass.frames), fixed(pass.ms, 2), fixed(mib, 1)});
     }
-    table.add({"all", fixed(total_ms, 2), fixed(total_mib, 1)});
+    table.add({"a frame", "", fixed(total_ms, 2), fixed(total_mib, 1)});
     console_.err << table.text();
   }
   const std::vector<std::string>& messages = device_->validation_messages();

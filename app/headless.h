@@ -22,9 +22,10 @@ namespace unghost {
 FrameInput frame_input(const Shot& shot, const RigContext& context, std::span<const ModeRun> modes,
                        uint32_t index);
 
-/// A pass over all frames: the median of its times in ms, and the bytes of its images.
+/// A pass over all frames: how many had it, the median of its times there in ms, and the bytes of its images.
 struct PassSummary {
   std::string name;
+  size_t frames = 0;
   double ms = 0;
   uint64_t image_bytes = 0;
 };

@@ -49,7 +49,7 @@ uint32_t best_columns(size_t count, double cell_aspect) {
 
 Layout layout_of(size_t count, const Image& first, bool with_crops) {
   Layout layout;
-  layout.text_scale = std::max(1u, first.height / 360);
+  layout.text_scale = std::max(1u, first.height / 270);
   layout.border = 4 * layout.text_scale;
   layout.cell_width = first.width;
   layout.cell_height = first.height;

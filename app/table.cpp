@@ -7,7 +7,7 @@ namespace unghost {
 namespace {
 
 bool is_number(const std::string& text) {
-  return !text.empty() && text.find_first_not_of("0123456789.-") == std::string::npos;
+  return text.find_first_not_of("0123456789.") == std::string::npos && std::ranges::count(text, '.') <= 1;
 }
 
 } // namespace

@@ -1,30 +1,21 @@
 #include "app/measure/display.h"
 
-#include <algorithm>
 #include <cmath>
 
+#include "shaders/shared/tonemap.h"
+
 namespace unghost {
-namespace {
-
-// Narkowicz 2015, "ACES filmic tone mapping curve".
-float tone_mapped(float x) {
-  return std::clamp(x * (2.51f * x + 0.03f) / (x * (2.43f * x + 0.59f) + 0.14f), 0.f, 1.f);
-}
-
-float srgb_from_linear(float x) {
-  return x <= 0.0031308f ? 12.92f * x : 1.055f * std::pow(x, 1 / 2.4f) - 0.055f;
-}
-
-} // namespace
 
 FloatImage displayed(const FloatImage& linear, float exposure_ev) {
   const float exposure = std::exp2(exposure_ev);
   FloatImage image{.width = linear.width, .height = linear.height, .channels = 3, .values = {}};
-  image.values.resize(size_t(linear.width) * linear.height * 3);
-  for (size_t pixel = 0; pixel < size_t(linear.width) * linear.height; ++pixel)
-    for (uint32_t c = 0; c < 3; ++c)
-      image.values[pixel * 3 + c] = srgb_from_linear(
-          tone_mapped(std::max(0.0f, linear.values[pixel * linear.channels + c] * exposure)));
+  const size_t pixels = size_t(linear.width) * linear.height;
+  image.values.reserve(pixels * 3);
+  for (size_t pixel = 0; pixel < pixels; ++pixel) {
+    const float* from = &linear.values[pixel * linear.channels];
+    const glm::vec3 shown = display_from_linear(glm::vec3(from[0], from[1], from[2]) * exposure);
+    image.values.insert(image.values.end(), {shown.x, shown.y, shown.z});
+  }
   return image;
 }
 

@@ -37,6 +37,13 @@ TEST(Difference, LostTextureWeighsLessThanAGhost) {
   EXPECT_EQ(windows_of_difference(a, b, 32, 16, 1).front(), (Window{240, 120, 32, 16}));
 }
 
+TEST(Difference, BothWindowsComeBackWhereTheSizeIsNoMultipleOfABlock) {
+  const Image a = grey(960, 540);
+  Image b = a;
+  fill(b, {0, 440, 960, 100}, 30); // down to the last row
+  EXPECT_EQ(windows_of_difference(a, b, 160, 90, 2).size(), 2u);
+}
+
 TEST(Difference, WindowsLieInsideThePicture) {
   for (const auto& [width, height] : {std::pair{1u, 1u}, {3u, 5u}, {33u, 17u}, {160u, 90u}}) {
     const auto windows =

@@ -1,7 +1,5 @@
 #include "assets/generator/car.h"
 
-#include <numbers>
-
 #include "assets/generator/body_shape.h"
 #include "assets/generator/car_body.h"
 #include "assets/generator/car_fittings.h"

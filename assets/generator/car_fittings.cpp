@@ -1,7 +1,6 @@
 #include "assets/generator/car_fittings.h"
 
 #include <cmath>
-#include <numbers>
 
 #include "assets/generator/body_shape.h"
 

@@ -10,11 +10,11 @@ namespace unghost::author {
 using glm::dvec3;
 
 // Points that are already nearly on the outline are moved onto it: fewer slivers than cutting beside them.
-void PanelMesh::settle(const Field& field, double within) {
+void PanelMesh::settle(const Field& field, double within, size_t first) {
   std::vector<std::vector<size_t>> around(points_.size());
   for (size_t i = 0; i < triangles_.size(); ++i)
     for (const uint32_t corner : triangles_[i].corner) around[corner].push_back(i);
-  for (size_t i = 0; i < points_.size(); ++i) {
+  for (size_t i = first; i < points_.size(); ++i) {
     const double value = field(points_[i]);
     if (on_cut_[i] || value == 0 || std::abs(value) > within) continue;
     dvec3 gradient;
@@ -56,7 +56,8 @@ void PanelMesh::resolve(const Field& field) {
 }
 
 void PanelMesh::divide(const Field& field, double within) {
-  settle(field, within);
+  settle(field, within, 0);
+  const size_t before = points_.size();
   std::vector<double> value;
   for (const dvec3 p : points_) value.push_back(field(p));
   const auto crossed = [&](uint32_t a, uint32_t b) {
@@ -76,6 +77,7 @@ void PanelMesh::divide(const Field& field, double within) {
     }
   }
   split(middles);
+  settle(field, 0.01, before); // being moved onto the body took the new points off the outline
   for (const auto& [edge, middle] : middles) on_cut_[middle] = true;
   for (size_t i = 0; i < value.size(); ++i)
     if (std::abs(value[i]) <= 1e-5) on_cut_[i] = true;

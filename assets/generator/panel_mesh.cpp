@@ -152,13 +152,14 @@ bool PanelMesh::faces_out(const Triangle& t) const {
                   normals_[t.corner[0]] + normals_[t.corner[1]] + normals_[t.corner[2]]) > 0;
 }
 
-// Whether `v` may go: inside one panel, where the body hardly bends, off the plane of symmetry.
+// Whether `v` may go: inside one panel, where the body hardly bends, off the plane of symmetry. Glass keeps
+// its points: it mirrors the sky, and shows the least change of a normal.
 bool PanelMesh::spare(uint32_t v, const std::vector<size_t>& fan) const {
   if (points_[v].x == 0 || fan.empty()) return false;
   std::map<uint32_t, int> rim;
   for (const size_t i : fan) {
     const Triangle& t = triangles_[i];
-    if (t.panel != triangles_[fan.front()].panel) return false;
+    if (t.panel != triangles_[fan.front()].panel || t.panel == Panel::glass) return false;
     for (const uint32_t corner : t.corner) {
       if (corner == v) continue;
       ++rim[corner];

@@ -50,7 +50,7 @@ private:
   bool refine(double tolerance, double shortest);
   uint32_t add_point(glm::dvec3 near_body);
   void split(const std::map<Edge, uint32_t>& middles);
-  void settle(const Field& field, double within);
+  void settle(const Field& field, double within, size_t first);
   bool spare(uint32_t v, const std::vector<size_t>& fan) const;
   bool collapses(uint32_t v, uint32_t onto, const std::vector<size_t>& fan, double tolerance) const;
   void resolve(const Field& field);

@@ -1,6 +1,5 @@
 #include "assets/generator/track.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "assets/generator/curve.h"

@@ -1,6 +1,5 @@
 #include "assets/generator/triangles.h"
 
-#include <cassert>
 #include <cmath>
 #include <numbers>
 #include <utility>

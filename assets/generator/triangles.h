@@ -39,9 +39,8 @@ struct ProfilePoint {
   bool crease = false;
 };
 
-/// A surface of revolution about `axis` through `centre`. The outside is to the right of the profile's
-/// direction when `along` is drawn to the right and `radius` up... turned a quarter: walking along +axis at
-/// constant radius, it faces away from the axis.
+/// A surface of revolution about `axis` through `centre`. It faces away from the axis where the profile runs
+/// along +axis, and along +axis where the profile runs inwards.
 void add_lathe(Triangles& to, glm::dvec3 centre, glm::dvec3 axis, const std::vector<ProfilePoint>& profile,
                int segments);
 

@@ -1,7 +1,6 @@
 #include "app/run.h"
 
 #include <algorithm>
-#include <sstream>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -9,21 +8,11 @@
 #include "app/commands.h"
 #include "app/rigs.h"
 #include "renderer/settings.h"
+#include "tests/app/outcome.h"
 #include "tests/app/scratch_folder.h"
 
 namespace unghost {
 namespace {
-
-struct Outcome {
-  int exit;
-  std::string out, err;
-};
-
-Outcome outcome(std::vector<const char*> words) {
-  std::ostringstream out, err;
-  const int exit = run(words, out, err);
-  return {exit, out.str(), err.str()};
-}
 
 bool has_line_count(const std::string& text, long count) { return std::ranges::count(text, '\n') == count; }
 
@@ -35,7 +24,7 @@ TEST(Run, HelpSaysCommandsAndExitCodes) {
   for (const char* words : {"2 the words were wrong", "4 no usable Vulkan device", "130 and 143"})
     EXPECT_NE(help.out.find(words), std::string::npos) << words;
   for (const CommandRow& row : commands()) {
-    const Outcome own = outcome({row.name.data(), "-h"});
+    const Outcome own = outcome(std::vector<std::string>{std::string(row.name), "-h"});
     EXPECT_EQ(own.exit, 0) << row.name;
     EXPECT_NE(own.out.find("--json"), std::string::npos) << row.name;
   }
@@ -49,7 +38,7 @@ TEST(Run, NoCommandIsHelpOnErrAndTwo) {
 }
 
 TEST(Run, WrongWordsAreTwoAndOneSentence) {
-  const std::vector<std::pair<std::vector<const char*>, const char*>> cases = {
+  const std::vector<std::pair<std::vector<std::string>, const char*>> cases = {
       {{"captur"}, "did you mean 'capture'?"},
       {{"car.glb"}, "unghost capture car.glb"},
       {{"capture", "--farmes", "3"}, "did you mean '--frames'?"},
@@ -104,8 +93,8 @@ TEST(Run, ASettingsFileThatIsWrongIsThree) {
 }
 
 TEST(Run, ListsAreTablesOrJsonOfTheSame) {
-  const auto names = [](const char* command, const char* key) {
-    const Outcome table = outcome({command}), json = outcome({command, "--json"});
+  const auto names = [](const std::string& command, const char* key) {
+    const Outcome table = outcome({command}), json = outcome(std::vector<std::string>{command, "--json"});
     EXPECT_EQ(table.exit, 0);
     EXPECT_EQ(json.err, "");
     std::vector<std::string> found;
@@ -120,11 +109,12 @@ TEST(Run, ListsAreTablesOrJsonOfTheSame) {
   EXPECT_EQ(names("rigs", "rigs").size(), rigs().size());
   EXPECT_EQ(names("views", "views").size(), answers<View>().size());
   EXPECT_EQ(names("settings", "settings").size(), settings_table().size());
-  EXPECT_EQ(outcome({"modes", "--no-json"}).out, outcome({"modes"}).out);
+  EXPECT_EQ(outcome(std::vector<std::string>{"modes", "--no-json"}).out, outcome({"modes"}).out);
 }
 
 TEST(Run, ModesSayTheirSettings) {
-  const auto modes = nlohmann::json::parse(outcome({"modes", "--json"}).out).at("modes");
+  const auto modes =
+      nlohmann::json::parse(outcome(std::vector<std::string>{"modes", "--json"}).out).at("modes");
   for (const auto& mode : modes) {
     Settings settings;
     apply_settings_json(settings, mode.at("settings"));

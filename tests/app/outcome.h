@@ -1,0 +1,25 @@
+// What a run of the whole program in this process came to.
+#pragma once
+
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "app/run.h"
+
+namespace unghost {
+
+struct Outcome {
+  int exit;
+  std::string out, err;
+};
+
+inline Outcome outcome(const std::vector<std::string>& words) {
+  std::vector<const char*> pointers;
+  for (const std::string& word : words) pointers.push_back(word.c_str());
+  std::ostringstream out, err;
+  const int exit = run(pointers, out, err);
+  return {exit, out.str(), err.str()};
+}
+
+} // namespace unghost

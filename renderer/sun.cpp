@@ -40,8 +40,8 @@ uint64_t describe_sun(FrameConstants& constants, const FrameInput& input) {
   const LightSettings& light = input.settings.light;
   const glm::dvec3 towards = glm::normalize(input.now.towards_sun);
   constants.towards_sun = towards;
-  constants.sun_illuminance = glm::vec3(1.0f, 0.93f, 0.82f) * (5.5f * light.sun_illuminance);
-  constants.sky_zenith = glm::vec3(0.15f, 0.30f, 0.62f) * light.sky_luminance;
+  constants.sun_illuminance = glm::vec3(1.0f, 0.93f, 0.82f) * (5.2f * light.sun_illuminance);
+  constants.sky_zenith = glm::vec3(0.17f, 0.32f, 0.62f) * light.sky_luminance;
   constants.sky_horizon = glm::vec3(0.62f, 0.72f, 0.84f) * light.sky_luminance;
   const float share = 0.14f * (std::max(constants.towards_sun.y, 0.0f) / 3.14159f);
   constants.ground = constants.sun_illuminance * share + constants.sky_horizon * 0.1f;
@@ -66,6 +66,7 @@ uint64_t describe_sun(FrameConstants& constants, const FrameInput& input) {
   }
   constants.shadow_from_eye = shadow_from_eye;
   constants.shadow_texels = float(shadow_texels);
+  constants.shadow_texel_m = float(covered_m / shadow_texels);
   const double place[] = {at.x, at.y, at.z, towards.x, towards.y, towards.z};
   return fingerprint(place);
 }

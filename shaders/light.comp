@@ -23,7 +23,9 @@ const float brightest = 60000;  // what a half float holds, and a little less
 
 /// How much of the sun is seen: 16 comparisons, weighted as a bilinear 3x3 filter of shadow texels.
 float sun_visibility(vec3 position_eye, vec3 normal) {
-  vec4 at = frame.shadow_from_eye * vec4(position_eye, 1);
+  // from a little above the surface, or it would throw its shadow on itself
+  vec3 above = position_eye + normal * (1.8 * frame.shadow_texel_m);
+  vec4 at = frame.shadow_from_eye * vec4(above, 1);
   vec2 edge = abs(at.xy - 0.5) * 2;
   float inside = 1 - smoothstep(0.9, 1.0, max(edge.x, edge.y));
   if (inside <= 0 || at.z >= 1) return 1;
@@ -47,7 +49,6 @@ vec3 from_environment(Surface s, vec3 to_eye) {
   vec3 f0 = mix(vec3(0.04), s.albedo, s.metalness);
   vec3 diffuse = s.albedo * (1 - s.metalness) * sky_radiance(s.normal, 1);
   vec3 r = reflect(-to_eye, s.normal);
-  // what is occluded for diffuse light is so for reflections, too, the more the rougher they are
   vec3 specular = sky_radiance(r, s.roughness) * environment_share(f0, s.roughness, n_v);
   vec3 base = diffuse + specular;
   if (s.coat > 0) {

@@ -10,7 +10,7 @@ vec3 sky_radiance(vec3 d, float roughness) {
   float up = clamp(d.y, 0, 1);
   float to_zenith = pow(mix(up, 0.5 + 0.5 * d.y, roughness * 0.6), 0.55);
   // a wide lobe never sees the zenith alone
-  vec3 sky = mix(frame.sky_horizon, frame.sky_zenith, to_zenith * mix(1.0, 0.5, roughness));
+  vec3 sky = mix(frame.sky_horizon, frame.sky_zenith, to_zenith * mix(1.0, 0.3, roughness));
   float towards = max(dot(d, frame.towards_sun), 0);
   float width = mix(24.0, 2.0, sqrt(roughness));
   sky += frame.sky_horizon * vec3(1.0, 0.85, 0.6) * (0.55 * pow(towards, width) * mix(1.0, 0.35, roughness));

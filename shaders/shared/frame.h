@@ -35,6 +35,7 @@ struct FrameConstants {
   float near_plane;
   float exposure;
   float shadow_texels;          // along a side of the shadow map
+  float shadow_texel_m;
 };
 
 /// Which textures a material has: a specialization constant of the G-buffer.

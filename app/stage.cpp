@@ -93,9 +93,8 @@ Staged build_stage(const std::filesystem::path& file, const std::filesystem::pat
     refuse_model_settings(settings);
   } else {
     const Bounds bounds = scene_bounds(staged.scene);
-    if (bounds.empty())
-      throw Failure(Exit::input_refused, file.string() + ": there is nothing in it to draw");
-    const Trs fit = fit_of(bounds, staged.scene.vehicle >= 0, settings);
+    if (bounds.empty()) staged.scene.warnings.push_back("there is nothing in it to draw");
+    const Trs fit = bounds.empty() ? Trs{} : fit_of(bounds, staged.scene.vehicle >= 0, settings);
     staged.scene = staged_model(surroundings_of(road, settings.stage), staged.scene, fit);
   }
   staged.vehicle = vehicle_bounds(staged.scene);

@@ -43,7 +43,6 @@ struct LightSettings {
   float sun_illuminance = 1.0f; // a share of the clear noon sun's
   float sky_luminance = 1.0f;   // a share of the clear sky's
   float exposure_ev = 0.0f;
-  float shadow_softness_m = 0.06f; // radius of the shadow filter on the ground
 };
 
 struct StageSettings {

@@ -71,7 +71,6 @@ std::span<const Setting> settings_table() {
     light<&Light::sun_illuminance>({"sun", "", "Sunlight, as a share of a clear noon's.", "", 0, 100}),
     light<&Light::sky_luminance>({"sky", "", "Light of the sky, as a share of a clear sky's.", "", 0, 100}),
     light<&Light::exposure_ev>({"exposure", "EV", "Brightens the picture before the tone map; 1 doubles.", "", -16, 16}),
-    light<&Light::shadow_softness_m>({"shadow-softness", m, "The radius of the shadow's filter on the ground.", "", 0, 1, has_sun}),
     stage<&StageSettings::stage>({"stage", "", "What surrounds a model that is no scene of its own."}),
     stage<&StageSettings::model_scale>({"model-scale", "", "Scales a foreign model; 0 finds it from the model's size.", "", 0, 1e5f}),
     stage<&StageSettings::model_yaw_deg>({"model-yaw", deg, "Turns a foreign model about the vertical axis.", "", -360, 360}),

@@ -125,6 +125,7 @@ void Reader::alpha(Material& to, const tinygltf::Material& from) {
     to.alpha_mode = AlphaMode::mask;
   } else if (from.alphaMode == "BLEND") {
     to.alpha_mode = AlphaMode::blend;
+    warnings_.say("alpha blending is not supported: what should be seen through is drawn opaque");
   } else if (from.alphaMode != "OPAQUE") {
     warnings_.say("the alpha mode '" + printable(from.alphaMode) + "' is not known; OPAQUE is drawn");
   }

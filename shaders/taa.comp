@@ -112,7 +112,7 @@ void main() {
     usable = !any(isnan(found)) && !any(isinf(found));
     if (usable) {
       history = rectified(found, n);
-      changed = any(notEqual(history, found));
+      changed = any(greaterThan(abs(history - found), 0.01 * found + 0.001));  // what can be seen
     }
   }
   if (usable && (reject & reject_tag) != 0 && keeps_tags) {

@@ -14,6 +14,7 @@ layout(constant_id = 3) const uint reject = 0;
 layout(constant_id = 4) const bool reads_tags = false;
 layout(constant_id = 5) const bool keeps_tags = false;
 layout(constant_id = 6) const bool says_why = false;
+layout(constant_id = 7) const bool has_history = false;
 
 layout(set = 0, binding = TAA_COLOUR) uniform texture2D colour_map;
 layout(set = 0, binding = TAA_PREVIOUS) uniform texture2D history_map;
@@ -93,51 +94,59 @@ bool tag_differs(uint tag, vec2 at, ivec2 last) {
   return differs;
 }
 
+/// What a pixel becomes, and why.
+struct Resolve {
+  vec3 colour;
+  float weight;  // of the current frame
+  bool rectified, tag_rejected, near_moving;
+};
+
+Resolve resolve(ivec2 pixel, ivec2 speaker, ivec2 last, uint tag) {
+  Neighbourhood n = gather(pixel, last);
+  Resolve r = Resolve(n.centre, 1, false, false, false);
+  vec2 motion = texelFetch(motion_map, speaker, 0).xy;
+  vec2 at = vec2(pixel) + 0.5 + motion;
+  bool inside = all(greaterThanEqual(at, vec2(0))) && all(lessThanEqual(at, frame.size_px));
+  if ((reject & reject_off_screen) != 0 && !inside) return r;
+  vec3 found = read_history(at, last);
+  if (any(isnan(found)) || any(isinf(found))) return r;
+  vec3 history = rectified(found, n);
+  r.rectified = any(greaterThan(abs(history - found), 0.01 * found + 0.001));  // what can be seen
+  r.weight = push.alpha;
+  if ((reject & reject_tag) != 0 && keeps_tags) {
+    r.tag_rejected = tag_differs(tag, at, last);
+    if (r.tag_rejected) {
+      r.weight = 1;
+      r.colour = n.blurred;
+    }
+  }
+  if ((reject & reject_near_moving) != 0) {
+    float distance_m = linear_depth(texelFetch(depth_map, speaker, 0).r);
+    r.near_moving =
+        !r.tag_rejected && tag == 0 && length(motion) > push.motion_threshold_px && distance_m < push.far_m;
+    if (r.near_moving) {
+      float share = 1 - smoothstep(push.near_m, push.far_m, distance_m);
+      r.weight = mix(r.weight, 1, share);
+      r.colour = mix(r.colour, n.blurred, share);
+    }
+  }
+  r.colour = mix(history, r.colour, r.weight);
+  return r;
+}
+
 void main() {
   pixel_or_return(pixel);
   ivec2 last = ivec2(frame.size_px) - 1;
-  Neighbourhood n = gather(pixel, last);
-  ivec2 speaker = dilated(pixel, last);
-  vec2 motion = texelFetch(motion_map, speaker, 0).xy;
-  vec2 at = vec2(pixel) + 0.5 + motion;
+  ivec2 speaker = has_history || keeps_tags ? dilated(pixel, last) : pixel;
   uint tag = reads_tags ? texelFetch(tag_map, speaker, 0).r : 0;
+  Resolve r = Resolve(vec3(0), 1, false, false, false);
+  if (has_history) r = resolve(pixel, speaker, last, tag);
+  else r.colour = finite(texelFetch(colour_map, pixel, 0).rgb);
 
-  vec3 colour = n.centre, history = colour;
-  float weight = push.alpha;
-  bool changed = false, tag_rejected = false, near_moving = false;
-  bool inside = all(greaterThanEqual(at, vec2(0))) && all(lessThanEqual(at, frame.size_px));
-  bool usable = push.history_valid != 0 && ((reject & reject_off_screen) == 0 || inside);
-  if (usable) {
-    vec3 found = read_history(at, last);
-    usable = !any(isnan(found)) && !any(isinf(found));
-    if (usable) {
-      history = rectified(found, n);
-      changed = any(greaterThan(abs(history - found), 0.01 * found + 0.001));  // what can be seen
-    }
-  }
-  if (usable && (reject & reject_tag) != 0 && keeps_tags) {
-    tag_rejected = tag_differs(tag, at, last);
-    if (tag_rejected) {
-      weight = 1;
-      colour = n.blurred;
-    }
-  }
-  if (usable && (reject & reject_near_moving) != 0) {
-    float distance_m = linear_depth(texelFetch(depth_map, speaker, 0).r);
-    near_moving = !tag_rejected && tag == 0 && length(motion) > push.motion_threshold_px && distance_m < push.far_m;
-    if (near_moving) {
-      float share = 1 - smoothstep(push.near_m, push.far_m, distance_m);
-      weight = mix(weight, 1, share);
-      colour = mix(colour, n.blurred, share);
-    }
-  }
-  if (!usable) weight = 1;
-
-  vec3 resolved = mix(history, colour, weight);
   // A store to half floats may truncate, and an average that is only ever cut off never arrives; packing rounds.
-  resolved = min(resolved, vec3(65504));
-  resolved = vec3(unpackHalf2x16(packHalf2x16(resolved.rg)), unpackHalf2x16(packHalf2x16(resolved.bb)).x);
-  imageStore(history_out, pixel, vec4(resolved, 1));
+  vec3 colour = min(r.colour, vec3(65504));
+  colour = vec3(unpackHalf2x16(packHalf2x16(colour.rg)), unpackHalf2x16(packHalf2x16(colour.bb)).x);
+  imageStore(history_out, pixel, vec4(colour, 1));
   if (keeps_tags) imageStore(tag_out, pixel, uvec4(tag));
-  if (says_why) imageStore(why_out, pixel, vec4(weight, changed, tag_rejected, near_moving));
+  if (says_why) imageStore(why_out, pixel, vec4(r.weight, r.rectified, r.tag_rejected, r.near_moving));
 }

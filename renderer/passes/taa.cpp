@@ -23,17 +23,22 @@ Resolved resolve_taa(FrameGraph& graph, const FrameContext& in, const TaaInputs&
   const TaaPush push{.alpha = taa.alpha,
                      .motion_threshold_px = taa.motion_threshold_px,
                      .near_m = taa.near_m,
-                     .far_m = taa.far_m,
-                     .history_valid = uint32_t(colour.valid && (!keeps_tags || tags.valid))};
+                     .far_m = taa.far_m};
   const auto bytes = std::as_bytes(std::span(&push, 1));
-  const bool reads_tags = policy.needs_tags() && in.scene.traits.tagged;
+  // Without a history the frame is taken as it is: nothing is made for questions that nobody asks.
+  const bool has_history = colour.valid && (!keeps_tags || tags.valid);
+  const bool reads_tags = in.scene.traits.tagged && (keeps_tags || (has_history && policy.needs_tags()));
+  const ImageRef motion = has_history ? inputs.motion.motion_px : graph.neutral(VK_FORMAT_R32G32_SFLOAT);
+  const ImageRef depth =
+      has_history || keeps_tags ? inputs.gbuffer.depth : graph.neutral(VK_FORMAT_R32_SFLOAT);
   graph.compute({.name = "taa " + in.input.modes[place].name,
                  .shader = "taa.comp",
                  .constants = {uint32_t(policy.dilation), uint32_t(policy.history), uint32_t(policy.rectify),
-                               uint32_t(policy.reject), uint32_t(reads_tags), uint32_t(keeps_tags), why},
+                               uint32_t(policy.reject), uint32_t(reads_tags), uint32_t(keeps_tags), why,
+                               uint32_t(has_history)},
                  .bindings = {uniform(FRAME_BINDING, in.constants), sampled(TAA_COLOUR, inputs.colour),
-                              sampled(TAA_PREVIOUS, colour.previous), sampled(TAA_DEPTH, inputs.gbuffer.depth),
-                              sampled(TAA_MOTION, inputs.motion.motion_px),
+                              sampled(TAA_PREVIOUS, colour.previous), sampled(TAA_DEPTH, depth),
+                              sampled(TAA_MOTION, motion),
                               reads_tags ? sampled_stencil(TAA_TAG, inputs.gbuffer.depth) : sampled(TAA_TAG, no_tag),
                               sampled(TAA_PREVIOUS_TAG, tags.previous), storage_write(TAA_OUT, colour.next),
                               storage_write(TAA_TAG_OUT, tags.next), storage_write(TAA_WHY_OUT, why)},

@@ -29,7 +29,6 @@ struct TaaPush {
   float alpha;
   float motion_threshold_px;
   float near_m, far_m;
-  uint history_valid;
 };
 
 SHARED_END

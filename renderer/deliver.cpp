@@ -15,8 +15,8 @@ template <class T> T load(const std::vector<std::byte>& bytes, size_t index) {
 
 /// An image of `channels` out of texels of `stride` elements each, element by element.
 template <class T, class Convert>
-FloatImage floats(const FrameInput& input, const std::vector<std::byte>& bytes, uint32_t channels, uint32_t stride,
-                  Convert convert) {
+FloatImage floats(const FrameInput& input, const std::vector<std::byte>& bytes, uint32_t channels,
+                  uint32_t stride, Convert convert) {
   FloatImage image{.width = input.width, .height = input.height, .channels = channels};
   const size_t pixels = size_t(input.width) * input.height;
   image.values.reserve(pixels * channels);
@@ -26,7 +26,7 @@ FloatImage floats(const FrameInput& input, const std::vector<std::byte>& bytes, 
   return image;
 }
 
-}  // namespace
+} // namespace
 
 void ask(FrameGraph& graph, const FrameImages& images, const Wanted& wanted) {
   const FrameImages::OfMode& mode = images.modes[wanted.mode];
@@ -35,15 +35,24 @@ void ask(FrameGraph& graph, const FrameImages& images, const Wanted& wanted) {
     graph.read_back(image, aspect);
   };
   switch (wanted.what) {
-  case Output::display: return read(mode.display);
-  case Output::resolved: return read(mode.resolved);
-  case Output::lit: return read(geometry.lit.colour);
-  case Output::depth: return read(geometry.gbuffer.depth, VK_IMAGE_ASPECT_DEPTH_BIT);
-  case Output::motion: return read(geometry.motion.motion_px);
-  case Output::previous_depth: return read(geometry.motion.previous_depth);
-  case Output::tag: return read(geometry.gbuffer.depth, VK_IMAGE_ASPECT_STENCIL_BIT);
-  case Output::object: return read(geometry.gbuffer.object);
-  case Output::sun_visibility: return read(geometry.lit.visibility);
+  case Output::display:
+    return read(mode.display);
+  case Output::resolved:
+    return read(mode.resolved);
+  case Output::lit:
+    return read(geometry.lit.colour);
+  case Output::depth:
+    return read(geometry.gbuffer.depth, VK_IMAGE_ASPECT_DEPTH_BIT);
+  case Output::motion:
+    return read(geometry.motion.motion_px);
+  case Output::previous_depth:
+    return read(geometry.motion.previous_depth);
+  case Output::tag:
+    return read(geometry.gbuffer.depth, VK_IMAGE_ASPECT_STENCIL_BIT);
+  case Output::object:
+    return read(geometry.gbuffer.object);
+  case Output::sun_visibility:
+    return read(geometry.lit.visibility);
   }
 }
 
@@ -59,15 +68,20 @@ Delivered deliver(const FrameInput& input, Output what, const std::vector<std::b
   }
   case Output::resolved:
   case Output::lit:
-    delivered.image = floats<uint16_t>(input, bytes, 3, 4, [](uint16_t half) { return glm::unpackHalf1x16(half); });
+    delivered.image =
+        floats<uint16_t>(input, bytes, 3, 4, [](uint16_t half) { return glm::unpackHalf1x16(half); });
     break;
   case Output::depth: {
     const float near_plane = float(input.now.near_plane);
     delivered.image = floats<float>(input, bytes, 1, 1, [&](float depth) { return near_plane / depth; });
     break;
   }
-  case Output::motion: delivered.image = floats<float>(input, bytes, 2, 2, same); break;
-  case Output::previous_depth: delivered.image = floats<float>(input, bytes, 1, 1, same); break;
+  case Output::motion:
+    delivered.image = floats<float>(input, bytes, 2, 2, same);
+    break;
+  case Output::previous_depth:
+    delivered.image = floats<float>(input, bytes, 1, 1, same);
+    break;
   case Output::tag:
     delivered.image = floats<uint8_t>(input, bytes, 1, 1, [](uint8_t tag) { return float(tag); });
     break;
@@ -81,4 +95,4 @@ Delivered deliver(const FrameInput& input, Output what, const std::vector<std::b
   return delivered;
 }
 
-}  // namespace unghost
+} // namespace unghost

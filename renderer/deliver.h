@@ -13,4 +13,4 @@ void ask(FrameGraph& graph, const FrameImages& images, const Wanted& wanted);
 /// `bytes` as the graph brought them for `what`.
 Delivered deliver(const FrameInput& input, Output what, const std::vector<std::byte>& bytes);
 
-}  // namespace unghost
+} // namespace unghost

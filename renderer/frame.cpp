@@ -11,10 +11,11 @@ FrameImages::OfGeometry draw_geometry(FrameGraph& graph, const FrameContext& in)
   return {gbuffer, motion, lit};
 }
 
-FrameImages::OfMode draw_mode(FrameGraph& graph, const FrameContext& in, const FrameImages::OfGeometry& geometry,
-                              size_t place) {
+FrameImages::OfMode draw_mode(FrameGraph& graph, const FrameContext& in,
+                              const FrameImages::OfGeometry& geometry, size_t place) {
   const Resolved steady = resolve_taa(
-      graph, in, {.colour = geometry.lit.colour, .gbuffer = geometry.gbuffer, .motion = geometry.motion}, place);
+      graph, in, {.colour = geometry.lit.colour, .gbuffer = geometry.gbuffer, .motion = geometry.motion},
+      place);
   const ImageRef picture = tonemap(graph, in, steady.colour);
   const ImageRef display = draw_view(graph, in,
                                      {.picture = picture,
@@ -25,7 +26,7 @@ FrameImages::OfMode draw_mode(FrameGraph& graph, const FrameContext& in, const F
   return {.resolved = steady.colour, .display = display};
 }
 
-}  // namespace
+} // namespace
 
 FrameImages declare_frame(FrameGraph& graph, const std::deque<FrameContext>& contexts,
                           const std::vector<size_t>& geometry_of) {
@@ -39,4 +40,4 @@ FrameImages declare_frame(FrameGraph& graph, const std::deque<FrameContext>& con
   return images;
 }
 
-}  // namespace unghost
+} // namespace unghost

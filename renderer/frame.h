@@ -11,7 +11,7 @@ namespace unghost {
 struct FrameImages {
   struct OfMode {
     ImageRef resolved, display;
-    size_t geometry = 0;  // index into `geometries`
+    size_t geometry = 0; // index into `geometries`
   };
   struct OfGeometry {
     GBuffer gbuffer;
@@ -19,20 +19,20 @@ struct FrameImages {
     Lit lit;
   };
   std::vector<OfMode> modes;
-  std::vector<OfGeometry> geometries;  // one for each jitter among the modes
+  std::vector<OfGeometry> geometries; // one for each jitter among the modes
 };
 
-/// Declares the frame. `contexts` has one entry for each jitter and outlives the graph; `geometry_of` says which one
-/// each mode takes.
+/// Declares the frame. `contexts` has one entry for each jitter and outlives the graph; `geometry_of` says
+/// which one each mode takes.
 FrameImages declare_frame(FrameGraph& graph, const std::deque<FrameContext>& contexts,
                           const std::vector<size_t>& geometry_of);
 
 /// Poses the scene and describes it to the passes, once for each jitter among the modes.
 struct FrameSetup {
   std::deque<FrameContext> contexts;
-  std::vector<size_t> geometry_of;  // by mode
+  std::vector<size_t> geometry_of; // by mode
 };
-FrameSetup describe_frame(const FrameInput& input, const Scene& scene, const GpuScene& gpu, FrameMemory& memory,
-                          std::vector<uint8_t> policy_changed);
+FrameSetup describe_frame(const FrameInput& input, const Scene& scene, const GpuScene& gpu,
+                          FrameMemory& memory, std::vector<uint8_t> policy_changed);
 
-}  // namespace unghost
+} // namespace unghost

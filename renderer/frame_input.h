@@ -14,51 +14,52 @@
 
 namespace unghost {
 
-/// Where everything is at one moment: what a rig computes as a pure function of time. World space, metres, double.
+/// Where everything is at one moment: what a rig computes as a pure function of time. World space, metres,
+/// double.
 struct Instant {
   glm::dvec3 eye{0, 1.6, 6};
-  glm::dquat camera{1, 0, 0, 0};  // turns -z to where the camera looks
-  double vertical_fov = 0.8;      // radians
-  double near_plane = 0.1;        // metres
-  glm::dmat4 vehicle{1};          // the vehicle's frame: origin on the ground, +z forward
-  double wheel_travel = 0;        // metres rolled; a wheel's angle is this over its radius
-  double steer = 0;               // radians, to the left
-  double animation_s = 0;         // the clock of the scene's own animations
+  glm::dquat camera{1, 0, 0, 0}; // turns -z to where the camera looks
+  double vertical_fov = 0.8;     // radians
+  double near_plane = 0.1;       // metres
+  glm::dmat4 vehicle{1};         // the vehicle's frame: origin on the ground, +z forward
+  double wheel_travel = 0;       // metres rolled; a wheel's angle is this over its radius
+  double steer = 0;              // radians, to the left
+  double animation_s = 0;        // the clock of the scene's own animations
   glm::dvec3 towards_sun{0, 1, 0};
 };
 
 /// One resolve among those of a frame. Its history belongs to its place in the list.
 struct ModeRun {
-  std::string name;  // of the row; what pictures are labelled with
+  std::string name; // of the row; what pictures are labelled with
   TaaSettings taa;
 };
 
-/// One that can be asked of a frame; those above `lit` once a mode, the rest once a jitter sequence (`mode` then
-/// says whose).
+/// One that can be asked of a frame; those above `lit` once a mode, the rest once a jitter sequence (`mode`
+/// then says whose).
 enum class Output {
-  display,         // what the screen shows: RGBA, sRGB, 8 bits
-  resolved,        // linear HDR after the resolve, rgb
-  lit,             // linear HDR before the resolve, rgb
-  depth,           // metres along the view axis, +inf for the sky
-  motion,          // pixels, previous minus current, without jitter, xy
-  previous_depth,  // metres along last frame's view axis of the same surface point
-  tag,             // 0 to 255
-  object,          // node index + 1, 0 for the sky
-  sun_visibility,  // 0 in shadow to 1
+  display,        // what the screen shows: RGBA, sRGB, 8 bits
+  resolved,       // linear HDR after the resolve, rgb
+  lit,            // linear HDR before the resolve, rgb
+  depth,          // metres along the view axis, +inf for the sky
+  motion,         // pixels, previous minus current, without jitter, xy
+  previous_depth, // metres along last frame's view axis of the same surface point
+  tag,            // 0 to 255
+  object,         // node index + 1, 0 for the sky
+  sun_visibility, // 0 in shadow to 1
 };
 
 struct Wanted {
   Output what = Output::display;
-  size_t mode = 0;  // index into FrameInput::modes
+  size_t mode = 0; // index into FrameInput::modes
 };
 
 struct FrameInput {
-  Instant now, before;  // the same where nothing moved
-  uint64_t index = 0;   // chooses the jitter
-  std::optional<glm::dvec2> jitter_px;  // instead of every mode's own: a sample of a supersampled frame
-  bool cut = false;     // nothing of before may be used
+  Instant now, before;                 // the same where nothing moved
+  uint64_t index = 0;                  // chooses the jitter
+  std::optional<glm::dvec2> jitter_px; // instead of every mode's own: a sample of a supersampled frame
+  bool cut = false;                    // nothing of before may be used
   uint32_t width = 1280, height = 720;
-  Settings settings;    // light, stage and view; each run brings its own taa
+  Settings settings; // light, stage and view; each run brings its own taa
   std::vector<ModeRun> modes;
   std::vector<Wanted> wanted;
 };
@@ -77,13 +78,13 @@ struct Delivered {
 
 struct PassReport {
   std::string name;
-  double ms = 0;             // GPU time; 0 until the device has measured it
-  uint64_t image_bytes = 0;  // of the images that the pass is the first to write
+  double ms = 0;            // GPU time; 0 until the device has measured it
+  uint64_t image_bytes = 0; // of the images that the pass is the first to write
 };
 
 struct FrameResult {
-  std::vector<Delivered> delivered;  // as many as were wanted, in their order
+  std::vector<Delivered> delivered; // as many as were wanted, in their order
   std::vector<PassReport> passes;
 };
 
-}  // namespace unghost
+} // namespace unghost

@@ -38,16 +38,17 @@ Objects place_objects(const FrameInput& input, const Scene& scene, const GpuScen
   return objects;
 }
 
-/// Whether some of the box may be seen: not all of its corners lie beyond one and the same side of the picture.
+/// Whether some of the box may be seen: not all of its corners lie beyond one and the same side of the
+/// picture.
 bool may_be_seen(const Bounds& box, const glm::dmat4& clip_from_object) {
   int beyond[5] = {};
   for (int corner = 0; corner < 8; ++corner) {
     const glm::dvec4 at(corner & 1 ? box.high.x : box.low.x, corner & 2 ? box.high.y : box.low.y,
                         corner & 4 ? box.high.z : box.low.z, 1);
     const glm::dvec4 clip = clip_from_object * at;
-    beyond[0] += clip.x < -clip.w, beyond[1] += clip.x > clip.w;
-    beyond[2] += clip.y < -clip.w, beyond[3] += clip.y > clip.w;
-    beyond[4] += clip.z > clip.w;  // before the near plane
+    beyond[0] += clip.x<-clip.w, beyond[1] += clip.x> clip.w;
+    beyond[2] += clip.y<-clip.w, beyond[3] += clip.y> clip.w;
+    beyond[4] += clip.z > clip.w; // before the near plane
   }
   for (const int count : beyond)
     if (count == 8) return false;
@@ -62,7 +63,8 @@ double distance_to(const Bounds& box, const glm::dmat4& eye_from_object) {
 }
 
 /// Fills `visible` and `casters`.
-void list_draws(FrameContext& in, const FrameConstants& constants, const GpuScene& gpu, const Objects& objects) {
+void list_draws(FrameContext& in, const FrameConstants& constants, const GpuScene& gpu,
+                const Objects& objects) {
   const glm::dmat4 clip_from_eye(constants.clip_from_eye);
   glm::dmat4 shadow_clip_from_eye(constants.shadow_from_eye);
   for (int column = 0; column < 4; ++column)
@@ -77,8 +79,10 @@ void list_draws(FrameContext& in, const FrameConstants& constants, const GpuScen
         may_be_seen(draw.bounds, shadow_clip_from_eye * eye_from_object))
       in.casters.push_back(&draw);
   }
-  // near ones first, so that what lies behind them is not shaded; draws at one distance keep their order
-  std::ranges::stable_sort(by_distance, {}, &std::pair<double, const Draw*>::first);
+  // Pipelines change seldom, and within one near things come first, so that what lies behind them is not
+  // shaded.
+  std::ranges::stable_sort(by_distance, {},
+                           [](const auto& one) { return std::pair(one.second->features, one.first); });
   for (const auto& [distance, draw] : by_distance) in.visible.push_back(draw);
 }
 
@@ -119,14 +123,15 @@ bool share_geometry(const TaaSettings& a, const TaaSettings& b) {
          (!still && !other_still && a.policy.jitter == b.policy.jitter && a.jitter_scale == b.jitter_scale);
 }
 
-}  // namespace
+} // namespace
 
-FrameSetup describe_frame(const FrameInput& input, const Scene& scene, const GpuScene& gpu, FrameMemory& memory,
-                          std::vector<uint8_t> policy_changed) {
+FrameSetup describe_frame(const FrameInput& input, const Scene& scene, const GpuScene& gpu,
+                          FrameMemory& memory, std::vector<uint8_t> policy_changed) {
   const std::vector<glm::dmat4> now = pose(scene, input.now);
   const Objects objects = place_objects(input, scene, gpu, now);
   const std::vector<LightData> lights = place_lights(input, scene, now);
-  const std::vector<glm::mat4x3> eye_from_object(objects.eye_from_object.begin(), objects.eye_from_object.end());
+  const std::vector<glm::mat4x3> eye_from_object(objects.eye_from_object.begin(),
+                                                 objects.eye_from_object.end());
   const BufferSlice previous = memory.push_range(objects.previous_eye_from_object),
                     light_slice = memory.push_range(lights);
 
@@ -165,4 +170,4 @@ FrameSetup describe_frame(const FrameInput& input, const Scene& scene, const Gpu
   return setup;
 }
 
-}  // namespace unghost
+} // namespace unghost

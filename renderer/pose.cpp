@@ -30,12 +30,13 @@ void turn_wheels(const Scene& scene, const Instant& instant, const std::vector<g
   }
 }
 
-}  // namespace
+} // namespace
 
 std::vector<glm::dmat4> pose(const Scene& scene, const Instant& instant) {
   std::vector<Trs> local = default_pose(scene);
   if (!scene.animations.empty() && scene.animations.front().duration > 0)
-    sample(scene.animations.front(), std::fmod(instant.animation_s, double(scene.animations.front().duration)), local);
+    sample(scene.animations.front(),
+           std::fmod(instant.animation_s, double(scene.animations.front().duration)), local);
   std::vector<glm::dmat4> world = world_matrices(scene, local);
   turn_wheels(scene, instant, world, local);
   world = world_matrices(scene, local);
@@ -49,4 +50,4 @@ std::vector<glm::dmat4> pose(const Scene& scene, const Instant& instant) {
   return world;
 }
 
-}  // namespace unghost
+} // namespace unghost

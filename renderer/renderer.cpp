@@ -13,7 +13,7 @@ struct Renderer::Parts {
   GpuScene gpu;
   GraphRunner runner;
   uint64_t frame = 0;
-  std::vector<TaaPolicy> policies;  // of the last frame, by place
+  std::vector<TaaPolicy> policies; // of the last frame, by place
 };
 
 Renderer::Renderer(Device& device, const std::filesystem::path& shaders, Scene scene)
@@ -45,4 +45,4 @@ FrameResult Renderer::render(const FrameInput& input) {
   return result;
 }
 
-}  // namespace unghost
+} // namespace unghost

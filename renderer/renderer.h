@@ -11,8 +11,9 @@ namespace unghost {
 class Device;
 
 class Renderer {
- public:
-  /// `shaders`: the folder with the compiled shaders. The scene is uploaded here; it throws what the device throws.
+public:
+  /// `shaders`: the folder with the compiled shaders. The scene is uploaded here; it throws what the device
+  /// throws.
   Renderer(Device& device, const std::filesystem::path& shaders, Scene scene);
   ~Renderer();
 
@@ -21,9 +22,9 @@ class Renderer {
   /// `input.cut`, another size or another policy at that place in the list of modes makes them invalid.
   FrameResult render(const FrameInput& input);
 
- private:
+private:
   struct Parts;
   std::unique_ptr<Parts> parts_;
 };
 
-}  // namespace unghost
+} // namespace unghost

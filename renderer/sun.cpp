@@ -7,15 +7,15 @@
 namespace unghost {
 namespace {
 
-constexpr double covered_m = 72;  // side of the square that the map covers
-constexpr double step_m = 9;      // it moves in steps of this, so that it is seldom drawn anew: 256 texels
-constexpr double ahead_m = 22;    // its middle lies this far before the camera
-constexpr double depth_m = 240;   // along the sun's rays, where the steps are larger: nobody sees them
+constexpr double covered_m = 72; // side of the square that the map covers
+constexpr double step_m = 9;     // it moves in steps of this, so that it is seldom drawn anew: 256 texels
+constexpr double ahead_m = 22;   // its middle lies this far before the camera
+constexpr double depth_m = 240;  // along the sun's rays, where the steps are larger: nobody sees them
 constexpr double depth_step_m = 60;
 
 /// Not the identity of anything: only that two numbers differ when what they were made from does.
 uint64_t fingerprint(std::span<const double> values) {
-  uint64_t hash = 14695981039346656037u;  // FNV-1a
+  uint64_t hash = 14695981039346656037u; // FNV-1a
   for (const double value : values) {
     uint64_t bits = 0;
     std::memcpy(&bits, &value, sizeof bits);
@@ -34,7 +34,7 @@ SunFrame frame_of(glm::dvec3 towards) {
   return {right, glm::cross(towards, right), towards};
 }
 
-}  // namespace
+} // namespace
 
 uint64_t describe_sun(FrameConstants& constants, const FrameInput& input) {
   const LightSettings& light = input.settings.light;
@@ -51,9 +51,13 @@ uint64_t describe_sun(FrameConstants& constants, const FrameInput& input) {
   glm::dvec3 ahead = input.now.camera * glm::dvec3(0, 0, -1);
   ahead.y = 0;
   const double length = glm::length(ahead);
-  const glm::dvec3 middle = glm::dvec3(input.now.eye.x, 0, input.now.eye.z) + (length > 0.2 ? ahead / length : ahead) * ahead_m;
-  const auto snapped = [&](glm::dvec3 axis, double step) { return std::round(glm::dot(middle, axis) / step) * step; };
-  const glm::dvec3 at(snapped(sun.right, step_m), snapped(sun.up, step_m), snapped(sun.towards, depth_step_m));
+  const glm::dvec3 middle =
+      glm::dvec3(input.now.eye.x, 0, input.now.eye.z) + (length > 0.2 ? ahead / length : ahead) * ahead_m;
+  const auto snapped = [&](glm::dvec3 axis, double step) {
+    return std::round(glm::dot(middle, axis) / step) * step;
+  };
+  const glm::dvec3 at(snapped(sun.right, step_m), snapped(sun.up, step_m),
+                      snapped(sun.towards, depth_step_m));
 
   const glm::dvec3 eye(glm::dot(input.now.eye, sun.right), glm::dot(input.now.eye, sun.up),
                        glm::dot(input.now.eye, sun.towards));
@@ -71,4 +75,4 @@ uint64_t describe_sun(FrameConstants& constants, const FrameInput& input) {
   return fingerprint(place);
 }
 
-}  // namespace unghost
+} // namespace unghost

@@ -40,7 +40,7 @@ constexpr TaaMode rows[] = {
       .blend = Blend::constant}},
 };
 
-}  // namespace
+} // namespace
 
 std::span<const TaaMode> taa_modes() { return rows; }
 
@@ -49,4 +49,4 @@ const TaaMode* find_taa_mode(std::string_view name) {
   return found == std::end(rows) ? nullptr : &*found;
 }
 
-}  // namespace unghost
+} // namespace unghost

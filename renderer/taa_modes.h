@@ -1,5 +1,5 @@
-// A mode is a row of answers to the questions that every temporal resolve asks. The command line, the panel, the
-// comparison, the report and the README's table iterate over these rows.
+// A mode is a row of answers to the questions that every temporal resolve asks. The command line, the panel,
+// the comparison, the report and the README's table iterate over these rows.
 #pragma once
 
 #include <cstdint>
@@ -41,7 +41,7 @@ struct TaaPolicy {
 
 struct TaaMode {
   std::string_view name;
-  std::string_view summary;  // one sentence
+  std::string_view summary; // one sentence
   std::string_view source;
   TaaPolicy policy;
 };
@@ -50,4 +50,4 @@ std::span<const TaaMode> taa_modes();
 /// The row of that name, or nothing.
 const TaaMode* find_taa_mode(std::string_view name);
 
-}  // namespace unghost
+} // namespace unghost

@@ -26,7 +26,7 @@ double radical_inverse(uint64_t index, uint64_t base) {
   return value;
 }
 
-}  // namespace
+} // namespace
 
 void describe_camera(FrameConstants& constants, const FrameInput& input, glm::dvec2 jitter_px) {
   const glm::dvec2 size(input.width, input.height);
@@ -40,9 +40,11 @@ void describe_camera(FrameConstants& constants, const FrameInput& input, glm::dv
   constants.previous_clip_from_eye =
       projection(tangent_before, input.before.near_plane, {0, 0}) * glm::dmat4(view_from_eye_before);
   constants.eye_from_view = eye_from_view;
-  // A product with its own inverse is not the identity to the last bit; a camera that rests must not move at all.
+  // A product with its own inverse is not the identity to the last bit; a camera that rests must not move at
+  // all.
   const bool rests = input.now.camera == input.before.camera;
-  constants.reprojection_turn = rests ? glm::dmat3(0.0) : view_from_eye_before * eye_from_view - glm::dmat3(1.0);
+  constants.reprojection_turn =
+      rests ? glm::dmat3(0.0) : view_from_eye_before * eye_from_view - glm::dmat3(1.0);
   constants.reprojection_shift = view_from_eye_before * (input.now.eye - input.before.eye);
   constants.size_px = size;
   constants.inverse_size_px = 1.0 / size;
@@ -54,9 +56,10 @@ void describe_camera(FrameConstants& constants, const FrameInput& input, glm::dv
 
 glm::dvec2 jitter_offset(Jitter sequence, uint64_t index) {
   switch (sequence) {
-  case Jitter::none: return {0, 0};
+  case Jitter::none:
+    return {0, 0};
   case Jitter::halton_8: {
-    const uint64_t n = index % 8 + 1;  // from 1: the sequence's first point is its corner
+    const uint64_t n = index % 8 + 1; // from 1: the sequence's first point is its corner
     return {radical_inverse(n, 2) - 0.5, radical_inverse(n, 3) - 0.5};
   }
   }
@@ -70,4 +73,4 @@ Projected project(const Instant& instant, glm::dvec3 position_world, uint32_t wi
   return {(ndc + 1.0) * 0.5 * glm::dvec2(width, height), -view.z};
 }
 
-}  // namespace unghost
+} // namespace unghost

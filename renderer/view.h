@@ -1,5 +1,5 @@
-// The camera as numbers for the device. All differences between frames are taken in double precision here, so that a
-// camera far from the world's origin has motion as exact as one at it.
+// The camera as numbers for the device. All differences between frames are taken in double precision here, so
+// that a camera far from the world's origin has motion as exact as one at it.
 #pragma once
 
 #include "renderer/frame_input.h"
@@ -13,12 +13,12 @@ void describe_camera(FrameConstants& constants, const FrameInput& input, glm::dv
 /// Offset of frame `index` in pixels, each axis in [-0.5, 0.5).
 glm::dvec2 jitter_offset(Jitter sequence, uint64_t index);
 
-/// Where on the picture a world position lies, in pixels without jitter; and its depth in metres along the view axis.
-/// Double precision throughout: the oracle for motion vectors. Not meaningful for depth <= 0.
+/// Where on the picture a world position lies, in pixels without jitter; and its depth in metres along the
+/// view axis. Double precision throughout: the oracle for motion vectors. Not meaningful for depth <= 0.
 struct Projected {
   glm::dvec2 pixel;
   double depth = 0;
 };
 Projected project(const Instant& instant, glm::dvec3 position_world, uint32_t width, uint32_t height);
 
-}  // namespace unghost
+} // namespace unghost

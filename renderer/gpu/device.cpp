@@ -12,8 +12,9 @@ constexpr uint64_t longest_wait_ns = 10'000'000'000;
 /// The device that is asked for, or the first usable one, a GPU before a CPU.
 size_t choose(const std::vector<DeviceFacts>& all, const std::string& which) {
   for (size_t i = 0; i < all.size(); ++i) {
-    const bool asked = which.empty() ? all[i].usable && !all[i].software
-                                     : which == std::to_string(i) || all[i].name.find(which) != std::string::npos;
+    const bool asked = which.empty()
+                           ? all[i].usable && !all[i].software
+                           : which == std::to_string(i) || all[i].name.find(which) != std::string::npos;
     if (!asked) continue;
     if (!all[i].usable)
       throw GpuError(GpuFault::no_device, "the device " + all[i].name + " lacks " + all[i].missing);
@@ -22,24 +23,27 @@ size_t choose(const std::vector<DeviceFacts>& all, const std::string& which) {
   if (which.empty())
     for (size_t i = 0; i < all.size(); ++i)
       if (all[i].usable) return i;
-  std::string sentence = which.empty() ? "no usable Vulkan device" : "no Vulkan device is called '" + which + "'";
+  std::string sentence =
+      which.empty() ? "no usable Vulkan device" : "no Vulkan device is called '" + which + "'";
   for (const DeviceFacts& facts : all)
     sentence += "; there is " + facts.name + (facts.usable ? "" : ", which lacks " + facts.missing);
   if (all.empty()) sentence += "; install a driver (on Debian: mesa-vulkan-drivers) or see VK_DRIVER_FILES";
   throw GpuError(GpuFault::no_device, sentence);
 }
 
-}  // namespace
+} // namespace
 
 void check(VkResult result, const char* doing) {
   if (result >= VK_SUCCESS) return;
   const std::string what = std::string("Vulkan failed while ") + doing;
   switch (result) {
-  case VK_ERROR_DEVICE_LOST: throw GpuError(GpuFault::lost, what + ": the device was lost");
+  case VK_ERROR_DEVICE_LOST:
+    throw GpuError(GpuFault::lost, what + ": the device was lost");
   case VK_ERROR_OUT_OF_HOST_MEMORY:
   case VK_ERROR_OUT_OF_DEVICE_MEMORY:
     throw GpuError(GpuFault::out_of_memory, what + ": out of memory; try a smaller --size");
-  default: throw GpuError(GpuFault::other, what + " (VkResult " + std::to_string(result) + ")");
+  default:
+    throw GpuError(GpuFault::other, what + " (VkResult " + std::to_string(result) + ")");
   }
 }
 
@@ -145,9 +149,8 @@ void Device::run(const std::function<void(VkCommandBuffer)>& record) {
   check(vkEndCommandBuffer(commands_), "recording");
   const VkCommandBufferSubmitInfo buffer{.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_SUBMIT_INFO,
                                          .commandBuffer = commands_};
-  const VkSubmitInfo2 submit{.sType = VK_STRUCTURE_TYPE_SUBMIT_INFO_2,
-                             .commandBufferInfoCount = 1,
-                             .pCommandBufferInfos = &buffer};
+  const VkSubmitInfo2 submit{
+      .sType = VK_STRUCTURE_TYPE_SUBMIT_INFO_2, .commandBufferInfoCount = 1, .pCommandBufferInfos = &buffer};
   check(vkQueueSubmit2(queue_, 1, &submit, fence_), "submitting work");
   const VkFence fence = fence_;
   const VkResult waited = vkWaitForFences(device_, 1, &fence, VK_TRUE, longest_wait_ns);
@@ -166,4 +169,4 @@ void Device::name(uint64_t handle, VkObjectType type, const std::string& name) c
   set_name_(device_, &info);
 }
 
-}  // namespace unghost
+} // namespace unghost

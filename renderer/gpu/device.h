@@ -12,21 +12,22 @@ namespace unghost {
 /// What a device says of itself.
 struct DeviceFacts {
   std::string name, driver, api_version;
-  bool software = false;  // a CPU: its times are not a GPU's
-  bool usable = false;    // has all that unghost needs
-  std::string missing;    // what it lacks where it is not usable
+  bool software = false; // a CPU: its times are not a GPU's
+  bool usable = false;   // has all that unghost needs
+  std::string missing;   // what it lacks where it is not usable
 };
 
 struct DeviceRequest {
-  std::string which;      // index or part of a name; empty: the first usable one, a GPU before a CPU
-  bool validate = false;  // core and synchronization validation
+  std::string which;     // index or part of a name; empty: the first usable one, a GPU before a CPU
+  bool validate = false; // core and synchronization validation
 };
 
-/// Every device the loader finds, usable or not. Throws GpuError(no_device) where there is no loader or driver.
+/// Every device the loader finds, usable or not. Throws GpuError(no_device) where there is no loader or
+/// driver.
 std::vector<DeviceFacts> list_devices();
 
 class Device {
- public:
+public:
   explicit Device(const DeviceRequest& request);
   ~Device();
   Device(const Device&) = delete;
@@ -50,9 +51,9 @@ class Device {
   /// A name for captures and validation messages; nothing where nobody listens.
   void name(uint64_t handle, VkObjectType type, const std::string& name) const;
 
- private:
+private:
   void create_device(VkPhysicalDevice physical);
-  void release();  // also what a constructor that fails half-way does
+  void release(); // also what a constructor that fails half-way does
 
   std::vector<std::string> messages_;
   DeviceFacts facts_;
@@ -68,4 +69,4 @@ class Device {
   PFN_vkSetDebugUtilsObjectNameEXT set_name_ = nullptr;
 };
 
-}  // namespace unghost
+} // namespace unghost

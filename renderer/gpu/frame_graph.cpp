@@ -9,7 +9,7 @@ bool same_place(const ImageDesc& a, const ImageDesc& b) {
   return a.format == b.format && a.extent.width == b.extent.width && a.extent.height == b.extent.height;
 }
 
-}  // namespace
+} // namespace
 
 Binding sampled(uint32_t slot, ImageRef image) { return {.slot = slot, .use = Use::sampled, .image = image}; }
 Binding sampled_stencil(uint32_t slot, ImageRef image) {
@@ -52,10 +52,10 @@ History FrameGraph::history(const std::string& key, ImageDesc desc, bool reset) 
   const bool valid = !reset && found != kept_.end() && found->second.frame + 1 == frame_ &&
                      same_place(found->second.desc, desc);
   desc.name = key;
-  History history{
-      .previous = valid ? keep({.desc = desc, .key = before, .holds_content = true}) : neutral(desc.format),
-      .next = keep({.desc = desc, .key = now}),
-      .valid = valid};
+  History history{.previous = valid ? keep({.desc = desc, .key = before, .holds_content = true})
+                                    : neutral(desc.format),
+                  .next = keep({.desc = desc, .key = now}),
+                  .valid = valid};
   want(history.next);
   return history;
 }
@@ -87,4 +87,4 @@ size_t FrameGraph::read_back(ImageRef image, VkImageAspectFlags aspect) {
   return place;
 }
 
-}  // namespace unghost
+} // namespace unghost

@@ -1,5 +1,5 @@
-// One frame as a list of passes, each with the images it reads and writes. Declaring is all that happens here: no
-// Vulkan call is made. frame_plan.h decides what of it is needed, graph_runner.h does it.
+// One frame as a list of passes, each with the images it reads and writes. Declaring is all that happens
+// here: no Vulkan call is made. frame_plan.h decides what of it is needed, graph_runner.h does it.
 #pragma once
 
 #include <cstddef>
@@ -32,9 +32,9 @@ struct ImageDesc {
 /// How a pass touches an image. The stage follows from the kind of the pass.
 enum class Use : uint8_t {
   colour_attachment,
-  depth_attachment,  // tested and written
-  depth_test,        // tested only
-  sampled,           // colour, or depth's depth
+  depth_attachment, // tested and written
+  depth_test,       // tested only
+  sampled,          // colour, or depth's depth
   sampled_stencil,
   storage_read,
   storage_write,
@@ -84,26 +84,26 @@ struct Pass {
   std::vector<Binding> bindings;
   std::vector<Attachment> attachments;
   std::vector<std::pair<ImageRef, Use>> transfers;
-  bool root = false;  // runs in any case: what it does leaves the graph
+  bool root = false; // runs in any case: what it does leaves the graph
   std::function<void(PassCommands&)> record;
 };
 
 /// A full-screen dispatch: the commonest pass.
 struct ComputePass {
   std::string name;
-  std::string shader;  // file name without .spv
-  std::vector<Constant> constants;  // constant_id 0, 1, ...
+  std::string shader;              // file name without .spv
+  std::vector<Constant> constants; // constant_id 0, 1, ...
   std::vector<Binding> bindings;
   std::vector<std::byte> push;
-  VkExtent2D cover;  // an invocation a pixel of this
+  VkExtent2D cover; // an invocation a pixel of this
 };
 
-/// What outlives frames, by name: histories and caches. Knows what they are and whether they hold something; the
-/// images themselves are the runner's.
+/// What outlives frames, by name: histories and caches. Knows what they are and whether they hold something;
+/// the images themselves are the runner's.
 struct KeptImage {
   ImageDesc desc;
-  uint64_t frame = 0;    // when it was last written
-  uint64_t version = 0;  // of what it holds
+  uint64_t frame = 0;   // when it was last written
+  uint64_t version = 0; // of what it holds
 };
 using KeptImages = std::map<std::string, KeptImage>;
 inline constexpr std::string_view neutral_prefix = "neutral ";
@@ -117,11 +117,11 @@ struct History {
 /// An image whose content stays from frame to frame until its version changes.
 struct Cache {
   ImageRef image;
-  bool valid = false;  // holds the version that was asked for: nothing has to write it
+  bool valid = false; // holds the version that was asked for: nothing has to write it
 };
 
 class FrameGraph {
- public:
+public:
   /// `kept` outlives the graph; frame counts up by 1 from frame to frame.
   FrameGraph(KeptImages& kept, uint64_t frame) : kept_(kept), frame_(frame) {}
 
@@ -141,7 +141,7 @@ class FrameGraph {
 
   struct GraphImage {
     ImageDesc desc;
-    std::string key;  // of a kept image; empty for one of this frame
+    std::string key; // of a kept image; empty for one of this frame
     bool holds_content = false;
     uint64_t version = 0;
   };
@@ -157,7 +157,7 @@ class FrameGraph {
   uint64_t frame() const { return frame_; }
   const ImageDesc& desc(ImageRef image) const { return images_[image.index].desc; }
 
- private:
+private:
   ImageRef keep(GraphImage image);
 
   KeptImages& kept_;
@@ -168,4 +168,4 @@ class FrameGraph {
   std::vector<ReadbackRequest> readbacks_;
 };
 
-}  // namespace unghost
+} // namespace unghost

@@ -7,7 +7,7 @@ namespace {
 
 constexpr VkDeviceSize block_bytes = 256 << 10;
 
-}  // namespace
+} // namespace
 
 BufferSlice FrameMemory::push(std::span<const std::byte> bytes) {
   const VkDeviceSize size = std::max<VkDeviceSize>(bytes.size(), 16);
@@ -33,4 +33,4 @@ void FrameMemory::reset() {
   used_ = 0;
 }
 
-}  // namespace unghost
+} // namespace unghost

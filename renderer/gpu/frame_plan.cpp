@@ -10,7 +10,7 @@ namespace {
 struct Touch {
   ImageRef image;
   UseFacts facts;
-  bool keeps;  // what was there before matters
+  bool keeps; // what was there before matters
 };
 
 /// Every image that a pass touches, once, with all its uses joined.
@@ -43,8 +43,8 @@ std::vector<Touch> touches_of(const FrameGraph& graph, const Pass& pass) {
 std::optional<ImageBarrier> step(ImageState& state, const Touch& touch, bool discards) {
   const UseFacts& facts = touch.facts;
   const bool moves = discards || state.layout != facts.layout;
-  const bool sees = (state.read_in & facts.stages) == facts.stages &&
-                    (state.read_access & facts.access) == facts.access;
+  const bool sees =
+      (state.read_in & facts.stages) == facts.stages && (state.read_access & facts.access) == facts.access;
   std::optional<ImageBarrier> barrier;
   if (facts.writes || moves || !sees)
     barrier = ImageBarrier{.image = touch.image,
@@ -56,7 +56,7 @@ std::optional<ImageBarrier> step(ImageState& state, const Touch& touch, bool dis
                            .to = facts.layout};
   if (facts.writes) {
     state = {.layout = facts.layout, .written_in = facts.stages, .write_access = facts.access};
-  } else if (moves) {  // the transition is a write that only this use has waited for
+  } else if (moves) { // the transition is a write that only this use has waited for
     state = {.layout = facts.layout,
              .written_in = facts.stages,
              .read_in = facts.stages,
@@ -68,7 +68,7 @@ std::optional<ImageBarrier> step(ImageState& state, const Touch& touch, bool dis
   return barrier;
 }
 
-}  // namespace
+} // namespace
 
 UseFacts facts_of(Use use, PassKind kind, VkFormat format) {
   const VkPipelineStageFlags2 shader = kind == PassKind::compute ? VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT
@@ -81,32 +81,56 @@ UseFacts facts_of(Use use, PassKind kind, VkFormat format) {
   case Use::colour_attachment:
     return {VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT,
             VK_ACCESS_2_COLOR_ATTACHMENT_READ_BIT | VK_ACCESS_2_COLOR_ATTACHMENT_WRITE_BIT,
-            VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL, VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT, false, true};
+            VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL,
+            VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT,
+            false,
+            true};
   case Use::depth_attachment:
     return {depth_stages,
             VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_READ_BIT | VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_WRITE_BIT,
-            VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL, VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT,
-            true, true};
+            VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL,
+            VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT,
+            true,
+            true};
   case Use::depth_test:
-    return {depth_stages, VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_READ_BIT,
-            VK_IMAGE_LAYOUT_DEPTH_STENCIL_READ_ONLY_OPTIMAL, VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT, true,
+    return {depth_stages,
+            VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_READ_BIT,
+            VK_IMAGE_LAYOUT_DEPTH_STENCIL_READ_ONLY_OPTIMAL,
+            VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT,
+            true,
             false};
   case Use::sampled:
   case Use::sampled_stencil:
     return {shader, VK_ACCESS_2_SHADER_SAMPLED_READ_BIT, sampled_layout, VK_IMAGE_USAGE_SAMPLED_BIT, true,
             false};
   case Use::storage_read:
-    return {shader, VK_ACCESS_2_SHADER_STORAGE_READ_BIT, VK_IMAGE_LAYOUT_GENERAL, VK_IMAGE_USAGE_STORAGE_BIT,
-            true, false};
+    return {shader,
+            VK_ACCESS_2_SHADER_STORAGE_READ_BIT,
+            VK_IMAGE_LAYOUT_GENERAL,
+            VK_IMAGE_USAGE_STORAGE_BIT,
+            true,
+            false};
   case Use::storage_write:
-    return {shader, VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT, VK_IMAGE_LAYOUT_GENERAL, VK_IMAGE_USAGE_STORAGE_BIT,
-            false, true};
+    return {shader,
+            VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT,
+            VK_IMAGE_LAYOUT_GENERAL,
+            VK_IMAGE_USAGE_STORAGE_BIT,
+            false,
+            true};
   case Use::transfer_source:
-    return {VK_PIPELINE_STAGE_2_COPY_BIT, VK_ACCESS_2_TRANSFER_READ_BIT, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL,
-            VK_IMAGE_USAGE_TRANSFER_SRC_BIT, true, false};
+    return {VK_PIPELINE_STAGE_2_COPY_BIT,
+            VK_ACCESS_2_TRANSFER_READ_BIT,
+            VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL,
+            VK_IMAGE_USAGE_TRANSFER_SRC_BIT,
+            true,
+            false};
   case Use::transfer_destination:
-    return {VK_PIPELINE_STAGE_2_COPY_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL,
-            VK_IMAGE_USAGE_TRANSFER_DST_BIT, false, true};
+    return {VK_PIPELINE_STAGE_2_COPY_BIT,
+            VK_ACCESS_2_TRANSFER_WRITE_BIT,
+            VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL,
+            VK_IMAGE_USAGE_TRANSFER_DST_BIT,
+            false,
+            true};
   }
   return {};
 }
@@ -151,7 +175,8 @@ void derive_barriers(const FrameGraph& graph, FramePlan& plan, std::span<const u
       if (!plan.images[index].needed) continue;
       const bool first = std::exchange(touched[index], 1) == 0;
       const bool discards = first && !graph.images()[index].holds_content;
-      if (const auto barrier = step(states[place[index]], touch, discards)) planned.barriers.push_back(*barrier);
+      if (const auto barrier = step(states[place[index]], touch, discards))
+        planned.barriers.push_back(*barrier);
     }
 }
 
@@ -164,4 +189,4 @@ void note_kept(const FrameGraph& graph, const FramePlan& plan) {
     }
 }
 
-}  // namespace unghost
+} // namespace unghost

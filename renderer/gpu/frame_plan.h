@@ -1,5 +1,5 @@
-// What a declared frame comes down to: which passes run, which images exist, and which barriers stand between them.
-// A pure function, so that it is tested without a device.
+// What a declared frame comes down to: which passes run, which images exist, and which barriers stand between
+// them. A pure function, so that it is tested without a device.
 #pragma once
 
 #include "renderer/gpu/frame_graph.h"
@@ -21,8 +21,8 @@ struct ImageState {
   VkImageLayout layout = VK_IMAGE_LAYOUT_UNDEFINED;
   VkPipelineStageFlags2 written_in = 0;
   VkAccessFlags2 write_access = 0;
-  VkPipelineStageFlags2 read_in = 0;      // since the last write
-  VkAccessFlags2 read_access = 0;         // that have been made able to see it
+  VkPipelineStageFlags2 read_in = 0; // since the last write
+  VkAccessFlags2 read_access = 0;    // that have been made able to see it
 };
 
 struct ImageBarrier {
@@ -33,30 +33,30 @@ struct ImageBarrier {
 };
 
 struct PlannedPass {
-  size_t pass = 0;  // index into FrameGraph::passes()
-  std::vector<ImageBarrier> barriers;  // before it
+  size_t pass = 0;                    // index into FrameGraph::passes()
+  std::vector<ImageBarrier> barriers; // before it
 };
 
 struct PlannedImage {
-  bool needed = false;  // it exists: a pass that runs touches it, and not as an attachment for nobody
-  bool live = false;    // somebody reads it, or wants it: as large as declared, else 1x1
+  bool needed = false; // it exists: a pass that runs touches it, and not as an attachment for nobody
+  bool live = false;   // somebody reads it, or wants it: as large as declared, else 1x1
   VkImageUsageFlags usage = 0;
-  size_t first_pass = 0, last_pass = 0;  // places in FramePlan::passes
+  size_t first_pass = 0, last_pass = 0; // places in FramePlan::passes
 };
 
 struct FramePlan {
   std::vector<PlannedPass> passes;
-  std::vector<PlannedImage> images;  // as many as the graph's
+  std::vector<PlannedImage> images; // as many as the graph's
 };
 
-/// Culls backwards from what is wanted. A raster pass keeps running without those attachments that nobody reads; a
-/// compute pass writes them to 1x1 images.
+/// Culls backwards from what is wanted. A raster pass keeps running without those attachments that nobody
+/// reads; a compute pass writes them to 1x1 images.
 FramePlan cull(const FrameGraph& graph);
-/// Fills in the barriers. `place[i]` is where graph image i lives, `states[place]` who touched that place last: before
-/// the frame, and after it on return.
+/// Fills in the barriers. `place[i]` is where graph image i lives, `states[place]` who touched that place
+/// last: before the frame, and after it on return.
 void derive_barriers(const FrameGraph& graph, FramePlan& plan, std::span<const uint32_t> place,
                      std::vector<ImageState>& states);
 /// Writes down which kept images the plan's passes write.
 void note_kept(const FrameGraph& graph, const FramePlan& plan);
 
-}  // namespace unghost
+} // namespace unghost

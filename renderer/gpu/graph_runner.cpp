@@ -41,7 +41,7 @@ void record_barriers(VkCommandBuffer commands, const std::vector<ImageBarrier>& 
   if (!all.empty()) vkCmdPipelineBarrier2(commands, &info);
 }
 
-}  // namespace
+} // namespace
 
 GraphRunner::GraphRunner(Device& device, std::filesystem::path shaders)
     : device_(device), pipelines_(device, std::move(shaders)), memory_(device) {}
@@ -185,4 +185,4 @@ void GraphRunner::collect(const FrameGraph& graph, const FramePlan& plan, const 
   }
 }
 
-}  // namespace unghost
+} // namespace unghost

@@ -1,4 +1,5 @@
-// Carries out a frame graph: images out of a pool, barriers as planned, passes labelled and timed by their names.
+// Carries out a frame graph: images out of a pool, barriers as planned, passes labelled and timed by their
+// names.
 #pragma once
 
 #include <list>
@@ -13,17 +14,17 @@ namespace unghost {
 struct PassTime {
   std::string name;
   double ms = 0;
-  uint64_t image_bytes = 0;  // of the images that it is the first to touch
+  uint64_t image_bytes = 0; // of the images that it is the first to touch
 };
 
 struct RunResult {
   std::vector<PassTime> passes;
-  std::vector<std::vector<std::byte>> readbacks;  // in the order they were asked for, rows without padding
-  uint64_t image_bytes = 0;                       // all images that exist in this frame
+  std::vector<std::vector<std::byte>> readbacks; // in the order they were asked for, rows without padding
+  uint64_t image_bytes = 0;                      // all images that exist in this frame
 };
 
 class GraphRunner {
- public:
+public:
   GraphRunner(Device& device, std::filesystem::path shaders);
 
   FrameMemory& memory() { return memory_; }
@@ -31,7 +32,7 @@ class GraphRunner {
   /// Runs the graph and waits for it. Frame memory is given back.
   RunResult run(const FrameGraph& graph);
 
- private:
+private:
   friend class PassCommands;
   /// An image in the pool; `graph_key` is that of a kept image.
   struct Place {
@@ -55,7 +56,7 @@ class GraphRunner {
   FrameMemory memory_;
   KeptImages kept_;
   std::vector<Place> pool_;
-  std::vector<ImageState> states_;  // of the pool's images
+  std::vector<ImageState> states_; // of the pool's images
   OwnedQueryPool queries_;
   size_t query_count_ = 0;
   std::vector<std::unique_ptr<GpuBuffer>> readbacks_;
@@ -63,7 +64,7 @@ class GraphRunner {
 
 /// What a pass may do while it is recorded.
 class PassCommands {
- public:
+public:
   struct Context {
     GraphRunner& runner;
     const FrameGraph& graph;
@@ -89,7 +90,7 @@ class PassCommands {
   void bind_second_set(VkDescriptorSet set);
   void push(std::span<const std::byte> bytes);
 
- private:
+private:
   VkPipelineLayout layout(VkDescriptorSetLayout second_set) const;
   void push_bindings(VkPipelineBindPoint point, VkPipelineLayout layout);
   const GpuImage* placed(ImageRef image) const;
@@ -100,4 +101,4 @@ class PassCommands {
   VkPipelineLayout bound_ = VK_NULL_HANDLE;
 };
 
-}  // namespace unghost
+} // namespace unghost

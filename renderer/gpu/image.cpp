@@ -16,7 +16,7 @@ OwnedView view_of(VkDevice device, VkImage image, const GpuImageDesc& desc, VkIm
   return {device, view};
 }
 
-}  // namespace
+} // namespace
 
 bool is_depth(VkFormat format) { return format == VK_FORMAT_D32_SFLOAT || has_stencil(format); }
 bool has_stencil(VkFormat format) { return format == VK_FORMAT_D32_SFLOAT_S8_UINT; }
@@ -30,11 +30,15 @@ uint32_t texel_bytes(VkFormat format, VkImageAspectFlags aspect) {
   if (aspect == VK_IMAGE_ASPECT_STENCIL_BIT) return 1;
   switch (format) {
   case VK_FORMAT_R8_UNORM:
-  case VK_FORMAT_R8_UINT: return 1;
+  case VK_FORMAT_R8_UINT:
+    return 1;
   case VK_FORMAT_R16G16B16A16_SFLOAT:
-  case VK_FORMAT_R32G32_SFLOAT: return 8;
-  case VK_FORMAT_R32G32B32A32_SFLOAT: return 16;
-  default: return 4;
+  case VK_FORMAT_R32G32_SFLOAT:
+    return 8;
+  case VK_FORMAT_R32G32B32A32_SFLOAT:
+    return 16;
+  default:
+    return 4;
   }
 }
 
@@ -77,10 +81,10 @@ GpuBuffer::GpuBuffer(const Device& device, VkDeviceSize bytes, VkBufferUsageFlag
   buffer = {device.handle(), made};
   VkMemoryRequirements needs{};
   vkGetBufferMemoryRequirements(device.handle(), buffer, &needs);
-  memory = device.allocate(
-      needs, VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT, wanted);
+  memory = device.allocate(needs, VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT,
+                           wanted);
   check(vkBindBufferMemory(device.handle(), buffer, memory, 0), "binding a buffer's memory");
   check(vkMapMemory(device.handle(), memory, 0, VK_WHOLE_SIZE, 0, &mapped), "mapping a buffer");
 }
 
-}  // namespace unghost
+} // namespace unghost

@@ -22,9 +22,9 @@ struct GpuImage {
 
   OwnedMemory memory;
   OwnedImage image;
-  OwnedView view;     // colour, or depth and stencil: what an attachment needs
-  OwnedView depth;    // depth alone, for sampling
-  OwnedView stencil;  // stencil alone
+  OwnedView view;    // colour, or depth and stencil: what an attachment needs
+  OwnedView depth;   // depth alone, for sampling
+  OwnedView stencil; // stencil alone
   uint64_t bytes = 0;
 };
 
@@ -48,9 +48,9 @@ struct GpuBuffer {
   std::span<std::byte> bytes() const { return {static_cast<std::byte*>(mapped), size}; }
 
   VkDeviceSize size = 0;
-  OwnedMemory memory;  // unmapped by being freed
+  OwnedMemory memory; // unmapped by being freed
   OwnedBuffer buffer;
   void* mapped = nullptr;
 };
 
-}  // namespace unghost
+} // namespace unghost

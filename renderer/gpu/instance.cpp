@@ -50,7 +50,7 @@ std::string missing_of(VkPhysicalDevice physical, uint32_t api_version) {
   return {};
 }
 
-}  // namespace
+} // namespace
 
 Features::Features() {
   core.pNext = &vulkan12;
@@ -153,4 +153,4 @@ std::vector<DeviceFacts> list_devices() {
   return all;
 }
 
-}  // namespace unghost
+} // namespace unghost

@@ -33,4 +33,4 @@ struct NeededFeature {
 };
 const std::vector<NeededFeature>& needed_features();
 
-}  // namespace unghost
+} // namespace unghost

@@ -45,7 +45,8 @@ void PassCommands::push_bindings(VkPipelineBindPoint point, VkPipelineLayout lay
                       .pImageInfo = &images[i],
                       .pBufferInfo = &buffers[i]});
   }
-  context_.runner.device_.push_descriptors(commands_, point, layout, 0, uint32_t(writes.size()), writes.data());
+  context_.runner.device_.push_descriptors(commands_, point, layout, 0, uint32_t(writes.size()),
+                                           writes.data());
 }
 
 void PassCommands::dispatch(const ComputePass& pass) {
@@ -70,23 +71,23 @@ void PassCommands::push(std::span<const std::byte> bytes) {
 void PassCommands::read_back(size_t place) {
   const auto& [image, aspect] = context_.graph.readbacks()[place];
   const ImageDesc& desc = context_.graph.desc(image);
-  const VkDeviceSize size = VkDeviceSize(desc.extent.width) * desc.extent.height * texel_bytes(desc.format, aspect);
+  const VkDeviceSize size =
+      VkDeviceSize(desc.extent.width) * desc.extent.height * texel_bytes(desc.format, aspect);
   auto& buffer = context_.runner.readbacks_[place];
   if (buffer == nullptr || buffer->size < size)
     buffer = std::make_unique<GpuBuffer>(context_.runner.device_, size, VK_BUFFER_USAGE_TRANSFER_DST_BIT,
                                          VK_MEMORY_PROPERTY_HOST_CACHED_BIT);
   const VkBufferImageCopy copy{.imageSubresource = {aspect, 0, 0, 1},
                                .imageExtent = {desc.extent.width, desc.extent.height, 1}};
-  vkCmdCopyImageToBuffer(commands_, placed(image)->image, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, buffer->buffer,
-                         1, &copy);
+  vkCmdCopyImageToBuffer(commands_, placed(image)->image, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL,
+                         buffer->buffer, 1, &copy);
   const VkMemoryBarrier2 to_host{.sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER_2,
                                  .srcStageMask = VK_PIPELINE_STAGE_2_COPY_BIT,
                                  .srcAccessMask = VK_ACCESS_2_TRANSFER_WRITE_BIT,
                                  .dstStageMask = VK_PIPELINE_STAGE_2_HOST_BIT,
                                  .dstAccessMask = VK_ACCESS_2_HOST_READ_BIT};
-  const VkDependencyInfo info{.sType = VK_STRUCTURE_TYPE_DEPENDENCY_INFO,
-                              .memoryBarrierCount = 1,
-                              .pMemoryBarriers = &to_host};
+  const VkDependencyInfo info{
+      .sType = VK_STRUCTURE_TYPE_DEPENDENCY_INFO, .memoryBarrierCount = 1, .pMemoryBarriers = &to_host};
   vkCmdPipelineBarrier2(commands_, &info);
 }
 
@@ -104,7 +105,8 @@ void PassCommands::begin_rendering() {
       info.imageView = image->view;
       info.imageLayout = facts_of(attachment.use, pass_.kind, desc.format).layout;
       info.loadOp = attachment.clear ? VK_ATTACHMENT_LOAD_OP_CLEAR : VK_ATTACHMENT_LOAD_OP_LOAD;
-      info.storeOp = attachment.use == Use::depth_test ? VK_ATTACHMENT_STORE_OP_NONE : VK_ATTACHMENT_STORE_OP_STORE;
+      info.storeOp =
+          attachment.use == Use::depth_test ? VK_ATTACHMENT_STORE_OP_NONE : VK_ATTACHMENT_STORE_OP_STORE;
       if (attachment.clear) info.clearValue = *attachment.clear;
     }
     if (is_depth(desc.format)) {
@@ -134,7 +136,8 @@ std::vector<VkFormat> PassCommands::colour_formats() const {
   std::vector<VkFormat> formats;
   for (const Attachment& attachment : pass_.attachments) {
     const VkFormat format = context_.graph.desc(attachment.image).format;
-    if (!is_depth(format)) formats.push_back(placed(attachment.image) != nullptr ? format : VK_FORMAT_UNDEFINED);
+    if (!is_depth(format))
+      formats.push_back(placed(attachment.image) != nullptr ? format : VK_FORMAT_UNDEFINED);
   }
   return formats;
 }
@@ -147,7 +150,8 @@ VkFormat PassCommands::depth_format() const {
 
 void PassCommands::bind(const GraphicsDesc& desc, VkDescriptorSetLayout second_set) {
   const VkPipelineLayout wanted = layout(second_set);
-  vkCmdBindPipeline(commands_, VK_PIPELINE_BIND_POINT_GRAPHICS, context_.runner.pipelines_.graphics(desc, wanted));
+  vkCmdBindPipeline(commands_, VK_PIPELINE_BIND_POINT_GRAPHICS,
+                    context_.runner.pipelines_.graphics(desc, wanted));
   if (bound_ == wanted) return;
   bound_ = wanted;
   push_bindings(VK_PIPELINE_BIND_POINT_GRAPHICS, bound_);
@@ -157,4 +161,4 @@ void PassCommands::bind_second_set(VkDescriptorSet set) {
   vkCmdBindDescriptorSets(commands_, VK_PIPELINE_BIND_POINT_GRAPHICS, bound_, 1, 1, &set, 0, nullptr);
 }
 
-}  // namespace unghost
+} // namespace unghost

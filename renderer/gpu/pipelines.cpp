@@ -52,7 +52,7 @@ VkPipelineShaderStageCreateInfo stage(VkShaderStageFlagBits bit, VkShaderModule 
           .pSpecializationInfo = &info};
 }
 
-}  // namespace
+} // namespace
 
 Pipelines::Pipelines(const Device& device, std::filesystem::path shaders)
     : device_(device), shaders_(std::move(shaders)) {}
@@ -77,11 +77,10 @@ VkPipelineLayout Pipelines::layout(const LayoutDesc& desc) {
   }
   if (const auto found = layouts_.find(key); found != layouts_.end()) return found->second.layout;
 
-  const VkDescriptorSetLayoutCreateInfo set{
-      .sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO,
-      .flags = VK_DESCRIPTOR_SET_LAYOUT_CREATE_PUSH_DESCRIPTOR_BIT_KHR,
-      .bindingCount = uint32_t(bindings.size()),
-      .pBindings = bindings.data()};
+  const VkDescriptorSetLayoutCreateInfo set{.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO,
+                                            .flags = VK_DESCRIPTOR_SET_LAYOUT_CREATE_PUSH_DESCRIPTOR_BIT_KHR,
+                                            .bindingCount = uint32_t(bindings.size()),
+                                            .pBindings = bindings.data()};
   VkDescriptorSetLayout first = VK_NULL_HANDLE;
   check(vkCreateDescriptorSetLayout(device_.handle(), &set, nullptr, &first), "making a descriptor layout");
   OwnedSetLayout owned(device_.handle(), first);
@@ -94,7 +93,8 @@ VkPipelineLayout Pipelines::layout(const LayoutDesc& desc) {
                                         .pPushConstantRanges = &push};
   VkPipelineLayout made = VK_NULL_HANDLE;
   check(vkCreatePipelineLayout(device_.handle(), &info, nullptr, &made), "making a pipeline layout");
-  return layouts_.emplace(key, Layout{std::move(owned), OwnedLayout(device_.handle(), made)}).first->second.layout;
+  return layouts_.emplace(key, Layout{std::move(owned), OwnedLayout(device_.handle(), made)})
+      .first->second.layout;
 }
 
 VkPipeline Pipelines::compute(const std::string& shader, const std::vector<uint32_t>& constants,
@@ -102,12 +102,13 @@ VkPipeline Pipelines::compute(const std::string& shader, const std::vector<uint3
   const std::string key = key_of(shader, list_of(constants), layout);
   if (const auto found = pipelines_.find(key); found != pipelines_.end()) return found->second;
   const Specialization special(constants);
-  const VkComputePipelineCreateInfo info{
-      .sType = VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO,
-      .stage = stage(VK_SHADER_STAGE_COMPUTE_BIT, module(shader), special.info),
-      .layout = layout};
+  const VkComputePipelineCreateInfo info{.sType = VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO,
+                                         .stage =
+                                             stage(VK_SHADER_STAGE_COMPUTE_BIT, module(shader), special.info),
+                                         .layout = layout};
   VkPipeline made = VK_NULL_HANDLE;
-  check(vkCreateComputePipelines(device_.handle(), VK_NULL_HANDLE, 1, &info, nullptr, &made), "making a pipeline");
+  check(vkCreateComputePipelines(device_.handle(), VK_NULL_HANDLE, 1, &info, nullptr, &made),
+        "making a pipeline");
   return pipelines_.emplace(key, OwnedPipeline(device_.handle(), made)).first->second;
 }
 
@@ -130,9 +131,9 @@ VkPipelineDepthStencilStateCreateInfo depth_state(const GraphicsDesc& desc) {
 
 /// An attachment that is left out is not written.
 VkPipelineColorBlendAttachmentState blend_state(bool blends, VkFormat format) {
-  constexpr VkColorComponentFlags all =
-      VK_COLOR_COMPONENT_R_BIT | VK_COLOR_COMPONENT_G_BIT | VK_COLOR_COMPONENT_B_BIT | VK_COLOR_COMPONENT_A_BIT;
-  return {.blendEnable = blends,  // premultiplied
+  constexpr VkColorComponentFlags all = VK_COLOR_COMPONENT_R_BIT | VK_COLOR_COMPONENT_G_BIT |
+                                        VK_COLOR_COMPONENT_B_BIT | VK_COLOR_COMPONENT_A_BIT;
+  return {.blendEnable = blends, // premultiplied
           .srcColorBlendFactor = VK_BLEND_FACTOR_ONE,
           .dstColorBlendFactor = VK_BLEND_FACTOR_ONE_MINUS_SRC_ALPHA,
           .srcAlphaBlendFactor = VK_BLEND_FACTOR_ONE,
@@ -145,7 +146,7 @@ std::string graphics_key(const GraphicsDesc& d, VkPipelineLayout layout) {
                 d.writes_stencil, d.blends, d.compare, d.depth_bias, d.depth_bias_slope, layout);
 }
 
-}  // namespace
+} // namespace
 
 VkPipeline Pipelines::graphics(const GraphicsDesc& desc, VkPipelineLayout layout) {
   const std::string key = graphics_key(desc, layout);
@@ -186,7 +187,8 @@ VkPipeline Pipelines::graphics(const GraphicsDesc& desc, VkPipelineLayout layout
   constexpr VkDynamicState dynamic[] = {VK_DYNAMIC_STATE_VIEWPORT, VK_DYNAMIC_STATE_SCISSOR,
                                         VK_DYNAMIC_STATE_CULL_MODE, VK_DYNAMIC_STATE_FRONT_FACE,
                                         VK_DYNAMIC_STATE_STENCIL_REFERENCE};
-  const VkPipelineDynamicStateCreateInfo dynamics{.sType = VK_STRUCTURE_TYPE_PIPELINE_DYNAMIC_STATE_CREATE_INFO,
+  const VkPipelineDynamicStateCreateInfo dynamics{.sType =
+                                                      VK_STRUCTURE_TYPE_PIPELINE_DYNAMIC_STATE_CREATE_INFO,
                                                   .dynamicStateCount = 5,
                                                   .pDynamicStates = dynamic};
   const VkPipelineRenderingCreateInfo rendering{
@@ -214,4 +216,4 @@ VkPipeline Pipelines::graphics(const GraphicsDesc& desc, VkPipelineLayout layout
   return pipelines_.emplace(key, OwnedPipeline(device_.handle(), made)).first->second;
 }
 
-}  // namespace unghost
+} // namespace unghost

@@ -1,4 +1,5 @@
-// Shaders and pipelines, made when they are first asked for and kept. What a pipeline is made from is its key.
+// Shaders and pipelines, made when they are first asked for and kept. What a pipeline is made from is its
+// key.
 #pragma once
 
 #include <filesystem>
@@ -15,9 +16,9 @@ struct LayoutDesc {
 };
 
 struct GraphicsDesc {
-  std::string vertex, fragment;     // shader files; an empty fragment draws depth alone
-  std::vector<uint32_t> constants;  // constant_id 0, 1, ... of both stages
-  std::vector<VkFormat> colours;    // VK_FORMAT_UNDEFINED: this attachment is left out
+  std::string vertex, fragment;    // shader files; an empty fragment draws depth alone
+  std::vector<uint32_t> constants; // constant_id 0, 1, ... of both stages
+  std::vector<VkFormat> colours;   // VK_FORMAT_UNDEFINED: this attachment is left out
   VkFormat depth = VK_FORMAT_UNDEFINED;
   bool writes_depth = true, writes_stencil = false, blends = false;
   VkCompareOp compare = VK_COMPARE_OP_GREATER_OR_EQUAL;
@@ -29,16 +30,17 @@ struct GraphicsDesc {
 inline constexpr uint32_t push_constant_bytes = 128;
 
 class Pipelines {
- public:
+public:
   Pipelines(const Device& device, std::filesystem::path shaders);
 
   VkPipelineLayout layout(const LayoutDesc& desc);
-  VkPipeline compute(const std::string& shader, const std::vector<uint32_t>& constants, VkPipelineLayout layout);
+  VkPipeline compute(const std::string& shader, const std::vector<uint32_t>& constants,
+                     VkPipelineLayout layout);
   /// Cull mode, front face, viewport, scissor and stencil reference are dynamic.
   VkPipeline graphics(const GraphicsDesc& desc, VkPipelineLayout layout);
   size_t count() const { return pipelines_.size(); }
 
- private:
+private:
   struct Layout {
     OwnedSetLayout set;
     OwnedLayout layout;
@@ -52,4 +54,4 @@ class Pipelines {
   std::map<std::string, OwnedPipeline> pipelines_;
 };
 
-}  // namespace unghost
+} // namespace unghost

@@ -1,4 +1,5 @@
-// The little that stands between us and the C API: owners that destroy what they hold, and results that are checked.
+// The little that stands between us and the C API: owners that destroy what they hold, and results that are
+// checked.
 #pragma once
 
 #include <stdexcept>
@@ -22,10 +23,11 @@ void check(VkResult result, const char* doing);
 
 /// Owns one handle of a device, and destroys it with `Destroy`.
 template <class Handle, auto Destroy> class Owned {
- public:
+public:
   Owned() = default;
   Owned(VkDevice device, Handle handle) : device_(device), handle_(handle) {}
-  Owned(Owned&& other) noexcept : device_(other.device_), handle_(std::exchange(other.handle_, VK_NULL_HANDLE)) {}
+  Owned(Owned&& other) noexcept
+      : device_(other.device_), handle_(std::exchange(other.handle_, VK_NULL_HANDLE)) {}
   Owned& operator=(Owned&& other) noexcept {
     std::swap(device_, other.device_);
     std::swap(handle_, other.handle_);
@@ -36,7 +38,7 @@ template <class Handle, auto Destroy> class Owned {
   }
   operator Handle() const { return handle_; }
 
- private:
+private:
   VkDevice device_ = VK_NULL_HANDLE;
   Handle handle_ = VK_NULL_HANDLE;
 };
@@ -55,4 +57,4 @@ using OwnedCommandPool = Owned<VkCommandPool, vkDestroyCommandPool>;
 using OwnedFence = Owned<VkFence, vkDestroyFence>;
 using OwnedQueryPool = Owned<VkQueryPool, vkDestroyQueryPool>;
 
-}  // namespace unghost
+} // namespace unghost

@@ -17,7 +17,8 @@ std::vector<VkVertexInputAttributeDescription> vertex_attributes() {
           {5, 0, VK_FORMAT_R32G32B32A32_SFLOAT, offsetof(Vertex, colour)}};
 }
 
-GraphicsDesc pipeline_of(const PassCommands& commands, const DrawStyle& style, uint32_t features, bool moved) {
+GraphicsDesc pipeline_of(const PassCommands& commands, const DrawStyle& style, uint32_t features,
+                         bool moved) {
   GraphicsDesc desc{.vertex = style.vertex,
                     .fragment = style.fragment,
                     .constants = {features, uint32_t(moved)},
@@ -38,7 +39,7 @@ GraphicsDesc pipeline_of(const PassCommands& commands, const DrawStyle& style, u
   return desc;
 }
 
-}  // namespace
+} // namespace
 
 std::vector<Binding> draw_bindings(const FrameContext& in) {
   return {uniform(FRAME_BINDING, in.constants), buffer(DRAW_PREVIOUS, in.previous_eye_from_object),
@@ -61,7 +62,8 @@ void record_draws(PassCommands& commands, const FrameContext& in, const std::vec
     if (before == nullptr || before->material != draw->material)
       commands.bind_second_set(in.scene.textures.set(draw->material));
     vkCmdSetCullMode(cmd, draw->double_sided || style.shadow ? VK_CULL_MODE_NONE : VK_CULL_MODE_BACK_BIT);
-    vkCmdSetFrontFace(cmd, in.mirrored[draw->object] != 0 ? VK_FRONT_FACE_CLOCKWISE : VK_FRONT_FACE_COUNTER_CLOCKWISE);
+    vkCmdSetFrontFace(cmd, in.mirrored[draw->object] != 0 ? VK_FRONT_FACE_CLOCKWISE
+                                                          : VK_FRONT_FACE_COUNTER_CLOCKWISE);
     vkCmdSetStencilReference(cmd, VK_STENCIL_FACE_FRONT_AND_BACK, draw->tag);
     const DrawPush push{.eye_from_object = in.eye_from_object[draw->object],
                         .material = in.scene.materials[draw->material],
@@ -73,4 +75,4 @@ void record_draws(PassCommands& commands, const FrameContext& in, const std::vec
   }
 }
 
-}  // namespace unghost
+} // namespace unghost

@@ -39,4 +39,4 @@ GBuffer draw_gbuffer(FrameGraph& graph, const FrameContext& in) {
   return gbuffer;
 }
 
-}  // namespace unghost
+} // namespace unghost

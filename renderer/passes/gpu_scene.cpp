@@ -6,7 +6,8 @@
 namespace unghost {
 namespace {
 
-template <class T> GpuBuffer upload(const Device& device, const std::vector<T>& values, VkBufferUsageFlags usage) {
+template <class T>
+GpuBuffer upload(const Device& device, const std::vector<T>& values, VkBufferUsageFlags usage) {
   GpuBuffer buffer(device, values.size() * sizeof(T), usage);
   if (!values.empty()) std::memcpy(buffer.bytes().data(), values.data(), values.size() * sizeof(T));
   return buffer;
@@ -18,7 +19,8 @@ uint32_t features_of(const Material& material) {
   for (uint32_t i = 0; i < MATERIAL_TEXTURES; ++i)
     if (uses[i]->image >= 0) {
       features |= 1u << i;
-      if (uses[i]->uv_set != 0 || uses[i]->transform != TextureUse{}.transform) features |= HAS_TEXTURE_PLACES;
+      if (uses[i]->uv_set != 0 || uses[i]->transform != TextureUse{}.transform)
+        features |= HAS_TEXTURE_PLACES;
     }
   if (material.alpha_mode == AlphaMode::mask) features |= HAS_ALPHA_MASK;
   if (material.unlit) features |= IS_UNLIT;
@@ -58,7 +60,7 @@ std::vector<TexturePlaces> places_of_textures(const Scene& scene) {
   return all;
 }
 
-}  // namespace
+} // namespace
 
 GpuScene::GpuScene(Device& device, const Scene& scene)
     : materials(material_data(scene)),
@@ -87,7 +89,8 @@ GpuScene::GpuScene(Device& device, const Scene& scene)
     }
     object_nodes.push_back(int(n));
   }
-  std::ranges::stable_sort(draws, {}, [](const Draw& draw) { return std::tuple(draw.features, draw.material); });
+  std::ranges::stable_sort(draws, {},
+                           [](const Draw& draw) { return std::tuple(draw.features, draw.material); });
 }
 
-}  // namespace unghost
+} // namespace unghost

@@ -13,13 +13,13 @@ Lit light(FrameGraph& graph, const FrameContext& in, const GBuffer& gbuffer, Ima
                  .shader = "light.comp",
                  .constants = {uint32_t(in.scene.traits.emissive), in.light_count, lit.visibility},
                  .bindings = {uniform(FRAME_BINDING, in.constants), sampled(LIGHT_ALBEDO, gbuffer.albedo),
-                              sampled(LIGHT_NORMAL, gbuffer.normal), sampled(LIGHT_MATERIAL, gbuffer.material),
-                              sampled(LIGHT_EMISSIVE, emissive), sampled(LIGHT_DEPTH, gbuffer.depth),
-                              sampled(LIGHT_SHADOW_MAP, shadow_map), buffer(LIGHT_LIGHTS, in.lights),
-                              storage_write(LIGHT_OUT, lit.colour),
+                              sampled(LIGHT_NORMAL, gbuffer.normal),
+                              sampled(LIGHT_MATERIAL, gbuffer.material), sampled(LIGHT_EMISSIVE, emissive),
+                              sampled(LIGHT_DEPTH, gbuffer.depth), sampled(LIGHT_SHADOW_MAP, shadow_map),
+                              buffer(LIGHT_LIGHTS, in.lights), storage_write(LIGHT_OUT, lit.colour),
                               storage_write(LIGHT_VISIBILITY_OUT, lit.visibility)},
                  .cover = in.size});
   return lit;
 }
 
-}  // namespace unghost
+} // namespace unghost

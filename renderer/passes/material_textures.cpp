@@ -16,8 +16,8 @@ void move_mip(VkCommandBuffer commands, VkImage image, uint32_t mip, VkImageLayo
       .srcStageMask = VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT,
       .srcAccessMask = VK_ACCESS_2_TRANSFER_WRITE_BIT,
       .dstStageMask = VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT | VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT,
-      .dstAccessMask =
-          VK_ACCESS_2_TRANSFER_READ_BIT | VK_ACCESS_2_TRANSFER_WRITE_BIT | VK_ACCESS_2_SHADER_SAMPLED_READ_BIT,
+      .dstAccessMask = VK_ACCESS_2_TRANSFER_READ_BIT | VK_ACCESS_2_TRANSFER_WRITE_BIT |
+                       VK_ACCESS_2_SHADER_SAMPLED_READ_BIT,
       .oldLayout = from,
       .newLayout = to,
       .image = image,
@@ -73,9 +73,12 @@ std::unique_ptr<GpuImage> upload(Device& device, const Image& source, bool srgb)
 
 VkSamplerAddressMode address(Wrap wrap) {
   switch (wrap) {
-  case Wrap::repeat: return VK_SAMPLER_ADDRESS_MODE_REPEAT;
-  case Wrap::mirrored_repeat: return VK_SAMPLER_ADDRESS_MODE_MIRRORED_REPEAT;
-  case Wrap::clamp_to_edge: return VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE;
+  case Wrap::repeat:
+    return VK_SAMPLER_ADDRESS_MODE_REPEAT;
+  case Wrap::mirrored_repeat:
+    return VK_SAMPLER_ADDRESS_MODE_MIRRORED_REPEAT;
+  case Wrap::clamp_to_edge:
+    return VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE;
   }
   return VK_SAMPLER_ADDRESS_MODE_REPEAT;
 }
@@ -105,16 +108,17 @@ OwnedDescriptorPool make_pool(VkDevice device, uint32_t sets) {
   return {device, made};
 }
 
-}  // namespace
+} // namespace
 
 std::array<const TextureUse*, MATERIAL_TEXTURES> textures_of(const Material& m) {
-  return {&m.base_colour_texture, &m.metallic_roughness_texture, &m.normal_texture,
-          &m.occlusion_texture,   &m.emissive_texture,           &m.clearcoat_texture,
+  return {&m.base_colour_texture,        &m.metallic_roughness_texture, &m.normal_texture,
+          &m.occlusion_texture,          &m.emissive_texture,           &m.clearcoat_texture,
           &m.clearcoat_roughness_texture};
 }
 
 MaterialTextures::MaterialTextures(Device& device, const Scene& scene)
-    : layout_(make_layout(device.handle())), pool_(make_pool(device.handle(), uint32_t(scene.materials.size()))) {
+    : layout_(make_layout(device.handle())),
+      pool_(make_pool(device.handle(), uint32_t(scene.materials.size()))) {
   const VkDescriptorSetLayout one = layout_;
   for (const Material& material : scene.materials) {
     const VkDescriptorSetAllocateInfo info{.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO,
@@ -143,7 +147,7 @@ MaterialTextures::MaterialTextures(Device& device, const Scene& scene)
 }
 
 const GpuImage& MaterialTextures::image(Device& device, const Scene& scene, ImageKey key) {
-  if (key.image < 0) key = {-1, false};  // all slots without a picture share one white texel
+  if (key.image < 0) key = {-1, false}; // all slots without a picture share one white texel
   auto& place = images_[key];
   if (place == nullptr) {
     const Image white{.name = "white", .width = 1, .height = 1, .rgba = {255, 255, 255, 255}};
@@ -153,8 +157,8 @@ const GpuImage& MaterialTextures::image(Device& device, const Scene& scene, Imag
 }
 
 VkSampler MaterialTextures::sampler(const Device& device, const TextureUse& use) {
-  OwnedSampler& place = samplers_[{int(use.magnify), int(use.minify), use.mipmapped, int(use.wrap_u),
-                                   int(use.wrap_v)}];
+  OwnedSampler& place =
+      samplers_[{int(use.magnify), int(use.minify), use.mipmapped, int(use.wrap_u), int(use.wrap_v)}];
   if (place == VK_NULL_HANDLE) {
     const VkSamplerCreateInfo info{.sType = VK_STRUCTURE_TYPE_SAMPLER_CREATE_INFO,
                                    .magFilter = filter(use.magnify),
@@ -170,4 +174,4 @@ VkSampler MaterialTextures::sampler(const Device& device, const TextureUse& use)
   return place;
 }
 
-}  // namespace unghost
+} // namespace unghost

@@ -16,13 +16,13 @@ namespace unghost {
 std::array<const TextureUse*, MATERIAL_TEXTURES> textures_of(const Material& material);
 
 class MaterialTextures {
- public:
+public:
   MaterialTextures(Device& device, const Scene& scene);
 
   VkDescriptorSetLayout layout() const { return layout_; }
   VkDescriptorSet set(uint32_t material) const { return sets_[material]; }
 
- private:
+private:
   /// An image is on the device once for each way that it is read.
   struct ImageKey {
     int image;
@@ -39,4 +39,4 @@ class MaterialTextures {
   std::vector<VkDescriptorSet> sets_;
 };
 
-}  // namespace unghost
+} // namespace unghost

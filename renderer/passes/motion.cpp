@@ -10,15 +10,15 @@ Motion resolve_motion(FrameGraph& graph, const FrameContext& in, const GBuffer& 
           graph.image({.name = "previous depth", .format = VK_FORMAT_R32_SFLOAT, .extent = in.size})};
   const ImageRef of_objects =
       in.anything_moved ? gbuffer.object_motion : graph.neutral(VK_FORMAT_R32G32B32A32_SFLOAT);
-  graph.compute({.name = "motion",
-                 .shader = "motion.comp",
-                 .constants = {uint32_t(in.anything_moved), motion.previous_depth},
-                 .bindings = {uniform(FRAME_BINDING, in.constants), sampled(MOTION_DEPTH, gbuffer.depth),
-                              sampled(MOTION_OF_OBJECTS, of_objects),
-                              storage_write(MOTION_OUT, motion.motion_px),
-                              storage_write(MOTION_PREVIOUS_DEPTH_OUT, motion.previous_depth)},
-                 .cover = in.size});
+  graph.compute(
+      {.name = "motion",
+       .shader = "motion.comp",
+       .constants = {uint32_t(in.anything_moved), motion.previous_depth},
+       .bindings = {uniform(FRAME_BINDING, in.constants), sampled(MOTION_DEPTH, gbuffer.depth),
+                    sampled(MOTION_OF_OBJECTS, of_objects), storage_write(MOTION_OUT, motion.motion_px),
+                    storage_write(MOTION_PREVIOUS_DEPTH_OUT, motion.previous_depth)},
+       .cover = in.size});
   return motion;
 }
 
-}  // namespace unghost
+} // namespace unghost

@@ -1,4 +1,5 @@
-// The frame's vocabulary on one page: every pass is a function from images to images. Only frame.cpp knows their order.
+// The frame's vocabulary on one page: every pass is a function from images to images. Only frame.cpp knows
+// their order.
 #pragma once
 
 #include "renderer/frame_input.h"
@@ -12,45 +13,45 @@ struct FrameContext {
   const FrameInput& input;
   const GpuScene& scene;
   VkExtent2D size{};
-  BufferSlice constants;        // FrameConstants
-  std::vector<glm::mat4x3> eye_from_object;  // by object
-  BufferSlice previous_eye_from_object;      // the same last frame, from that frame's eye
-  BufferSlice lights;           // LightData
+  BufferSlice constants;                    // FrameConstants
+  std::vector<glm::mat4x3> eye_from_object; // by object
+  BufferSlice previous_eye_from_object;     // the same last frame, from that frame's eye
+  BufferSlice lights;                       // LightData
   uint32_t light_count = 0;
-  std::vector<const Draw*> visible;     // to the camera, near ones first
-  std::vector<const Draw*> casters;     // that may throw a shadow into the shadow map's square
-  std::vector<uint8_t> moved;           // by object: whether it is elsewhere than last frame
-  std::vector<uint8_t> mirrored;        // by object: whether its triangles are turned inside out
+  std::vector<const Draw*> visible; // to the camera, by pipeline, near ones first
+  std::vector<const Draw*> casters; // that may throw a shadow into the shadow map's square
+  std::vector<uint8_t> moved;       // by object: whether it is elsewhere than last frame
+  std::vector<uint8_t> mirrored;    // by object: whether its triangles are turned inside out
   bool anything_moved = false;
-  uint32_t shadow_texels = 0;           // along a side of the map
-  uint64_t shadow_version = 0;          // changes with whatever the shadows of what rests depend on
-  std::vector<uint8_t> policy_changed;  // by mode: its history is of another policy
+  uint32_t shadow_texels = 0;          // along a side of the map
+  uint64_t shadow_version = 0;         // changes with whatever the shadows of what rests depend on
+  std::vector<uint8_t> policy_changed; // by mode: its history is of another policy
 };
 
 /// What nobody reads of these is not drawn.
 struct GBuffer {
-  ImageRef albedo;     // RGBA8, square root of the albedo; a: ambient occlusion
-  ImageRef normal;     // RG16 SNORM, octahedral, world axes
-  ImageRef material;   // RGBA8: roughness (0: unlit), metalness, coat, coat roughness
-  ImageRef emissive;   // B10G11R11, linear
-  ImageRef depth;      // D32 S8: reversed depth; the tag
-  ImageRef object_motion;  // RGBA32F: motion in pixels, last frame's depth, 1 where given
-  ImageRef object;     // R32UI: node index + 1
+  ImageRef albedo;        // RGBA8, square root of the albedo; a: ambient occlusion
+  ImageRef normal;        // RG16 SNORM, octahedral, world axes
+  ImageRef material;      // RGBA8: roughness (0: unlit), metalness, coat, coat roughness
+  ImageRef emissive;      // B10G11R11, linear
+  ImageRef depth;         // D32 S8: reversed depth; the tag
+  ImageRef object_motion; // RGBA32F: motion in pixels, last frame's depth, 1 where given
+  ImageRef object;        // R32UI: node index + 1
 };
 
 struct Motion {
-  ImageRef motion_px;       // RG32F
-  ImageRef previous_depth;  // R32F, metres
+  ImageRef motion_px;      // RG32F
+  ImageRef previous_depth; // R32F, metres
 };
 
 struct Lit {
-  ImageRef colour;      // RGBA16F, linear
-  ImageRef visibility;  // R8: how much of the sun is seen
+  ImageRef colour;     // RGBA16F, linear
+  ImageRef visibility; // R8: how much of the sun is seen
 };
 
 struct Resolved {
-  ImageRef colour;  // RGBA16F, linear
-  ImageRef why;     // RGBA8: weight of the current frame, rectified, tag rejected, near and moving
+  ImageRef colour; // RGBA16F, linear
+  ImageRef why;    // RGBA8: weight of the current frame, rectified, tag rejected, near and moving
 };
 
 struct TaaInputs {
@@ -78,4 +79,4 @@ struct ViewInputs {
 /// Draws the view that is set over the picture; returns the picture where that is the colour itself.
 ImageRef draw_view(FrameGraph& graph, const FrameContext& in, const ViewInputs& inputs);
 
-}  // namespace unghost
+} // namespace unghost

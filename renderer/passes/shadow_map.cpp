@@ -13,7 +13,8 @@ std::vector<const Draw*> only(const FrameContext& in, bool moved) {
   return draws;
 }
 
-void draw_casters(FrameGraph& graph, const FrameContext& in, const char* name, bool moved, Attachment target) {
+void draw_casters(FrameGraph& graph, const FrameContext& in, const char* name, bool moved,
+                  Attachment target) {
   target.use = Use::depth_attachment;
   graph.pass({.name = name,
               .kind = PassKind::raster,
@@ -27,7 +28,7 @@ void draw_casters(FrameGraph& graph, const FrameContext& in, const char* name, b
               }});
 }
 
-}  // namespace
+} // namespace
 
 ImageRef draw_shadow_map(FrameGraph& graph, const FrameContext& in) {
   const VkExtent2D side{in.shadow_texels, in.shadow_texels};
@@ -43,11 +44,12 @@ ImageRef draw_shadow_map(FrameGraph& graph, const FrameContext& in) {
               .record = [rests = rests.image, all, side](PassCommands& commands) {
                 constexpr VkImageSubresourceLayers depth{VK_IMAGE_ASPECT_DEPTH_BIT, 0, 0, 1};
                 const VkImageCopy copy{depth, {}, depth, {}, {side.width, side.height, 1}};
-                vkCmdCopyImage(commands.commands(), commands.image(rests), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL,
-                               commands.image(all), VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &copy);
+                vkCmdCopyImage(commands.commands(), commands.image(rests),
+                               VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, commands.image(all),
+                               VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &copy);
               }});
   draw_casters(graph, in, "shadows of what moves", true, {all, {}});
   return all;
 }
 
-}  // namespace unghost
+} // namespace unghost

@@ -18,8 +18,7 @@ Resolved resolve_taa(FrameGraph& graph, const FrameContext& in, const TaaInputs&
   History tags{.previous = no_tag, .next = graph.image({.name = "no tags", .format = VK_FORMAT_R8_UINT})};
   if (keeps_tags)
     tags = graph.history("tags of " + key, {.format = VK_FORMAT_R8_UINT, .extent = in.size}, reset);
-  const ImageRef why =
-      graph.image({.name = "why", .format = VK_FORMAT_R8G8B8A8_UNORM, .extent = in.size});
+  const ImageRef why = graph.image({.name = "why", .format = VK_FORMAT_R8G8B8A8_UNORM, .extent = in.size});
   const TaaPush push{.alpha = taa.alpha,
                      .motion_threshold_px = taa.motion_threshold_px,
                      .near_m = taa.near_m,
@@ -31,20 +30,21 @@ Resolved resolve_taa(FrameGraph& graph, const FrameContext& in, const TaaInputs&
   const ImageRef motion = has_history ? inputs.motion.motion_px : graph.neutral(VK_FORMAT_R32G32_SFLOAT);
   const ImageRef depth =
       has_history || keeps_tags ? inputs.gbuffer.depth : graph.neutral(VK_FORMAT_R32_SFLOAT);
-  graph.compute({.name = "taa " + in.input.modes[place].name,
-                 .shader = "taa.comp",
-                 .constants = {uint32_t(policy.dilation), uint32_t(policy.history), uint32_t(policy.rectify),
-                               uint32_t(policy.reject), uint32_t(reads_tags), uint32_t(keeps_tags), why,
-                               uint32_t(has_history)},
-                 .bindings = {uniform(FRAME_BINDING, in.constants), sampled(TAA_COLOUR, inputs.colour),
-                              sampled(TAA_PREVIOUS, colour.previous), sampled(TAA_DEPTH, depth),
-                              sampled(TAA_MOTION, motion),
-                              reads_tags ? sampled_stencil(TAA_TAG, inputs.gbuffer.depth) : sampled(TAA_TAG, no_tag),
-                              sampled(TAA_PREVIOUS_TAG, tags.previous), storage_write(TAA_OUT, colour.next),
-                              storage_write(TAA_TAG_OUT, tags.next), storage_write(TAA_WHY_OUT, why)},
-                 .push = {bytes.begin(), bytes.end()},
-                 .cover = in.size});
+  graph.compute(
+      {.name = "taa " + in.input.modes[place].name,
+       .shader = "taa.comp",
+       .constants = {uint32_t(policy.dilation), uint32_t(policy.history), uint32_t(policy.rectify),
+                     uint32_t(policy.reject), uint32_t(reads_tags), uint32_t(keeps_tags), why,
+                     uint32_t(has_history)},
+       .bindings = {uniform(FRAME_BINDING, in.constants), sampled(TAA_COLOUR, inputs.colour),
+                    sampled(TAA_PREVIOUS, colour.previous), sampled(TAA_DEPTH, depth),
+                    sampled(TAA_MOTION, motion),
+                    reads_tags ? sampled_stencil(TAA_TAG, inputs.gbuffer.depth) : sampled(TAA_TAG, no_tag),
+                    sampled(TAA_PREVIOUS_TAG, tags.previous), storage_write(TAA_OUT, colour.next),
+                    storage_write(TAA_TAG_OUT, tags.next), storage_write(TAA_WHY_OUT, why)},
+       .push = {bytes.begin(), bytes.end()},
+       .cover = in.size});
   return {.colour = colour.next, .why = why};
 }
 
-}  // namespace unghost
+} // namespace unghost

@@ -14,4 +14,4 @@ ImageRef tonemap(FrameGraph& graph, const FrameContext& in, ImageRef colour) {
   return display;
 }
 
-}  // namespace unghost
+} // namespace unghost

@@ -69,7 +69,7 @@ TEST(FramePlan, AllocatesOnlyWhatLives) {
   d.graph.want(wanted);
   const FramePlan plan = cull(d.graph);
   EXPECT_TRUE(plan.images[wanted.index].live);
-  EXPECT_TRUE(plan.images[unread.index].needed);  // its descriptor must be valid: 1x1
+  EXPECT_TRUE(plan.images[unread.index].needed); // its descriptor must be valid: 1x1
   EXPECT_FALSE(plan.images[unread.index].live);
   EXPECT_FALSE(plan.images[never.index].needed);
 }
@@ -105,7 +105,7 @@ TEST(FramePlan, BarrierFromWriteToRead) {
   d.compute("reads", {a}, {b});
   d.graph.want(b);
   const FramePlan plan = d.planned();
-  ASSERT_EQ(plan.passes[1].barriers.size(), 2u);  // a is read, b is written for the first time
+  ASSERT_EQ(plan.passes[1].barriers.size(), 2u); // a is read, b is written for the first time
   const ImageBarrier& barrier = plan.passes[1].barriers[0];
   EXPECT_EQ(barrier.image, a);
   EXPECT_EQ(barrier.from, VK_IMAGE_LAYOUT_GENERAL);
@@ -175,7 +175,8 @@ TEST(FramePlan, ContentOfThisFrameStartsUndefinedAndKeptContentDoesNot) {
   const auto frame = [&](uint64_t number) {
     FrameGraph graph(kept, number);
     const History history = graph.history("h", desc, false);
-    graph.pass({.name = "resolve", .bindings = {sampled(1, history.previous), storage_write(2, history.next)}});
+    graph.pass(
+        {.name = "resolve", .bindings = {sampled(1, history.previous), storage_write(2, history.next)}});
     FramePlan plan = cull(graph);
     std::vector<uint32_t> place{0, 1};
     std::vector<ImageState> states(2, {.layout = VK_IMAGE_LAYOUT_GENERAL});
@@ -191,7 +192,8 @@ TEST(FramePlan, ContentOfThisFrameStartsUndefinedAndKeptContentDoesNot) {
 }
 
 /// Whether the history of frame `number` is valid, with that size, after what `kept` remembers.
-bool history_valid(KeptImages& kept, uint64_t number, uint32_t width, bool reset = false, bool writes = true) {
+bool history_valid(KeptImages& kept, uint64_t number, uint32_t width, bool reset = false,
+                   bool writes = true) {
   FrameGraph graph(kept, number);
   const History history =
       graph.history("h", {.name = "h", .format = colour_format, .extent = {width, 8}}, reset);
@@ -239,5 +241,5 @@ TEST(Cache, StaysValidUntilItsVersionChanges) {
   EXPECT_TRUE(valid(12, 8));
 }
 
-}  // namespace
-}  // namespace unghost
+} // namespace
+} // namespace unghost

@@ -60,5 +60,5 @@ TEST_F(Convergence, EveryModeHalvesTheErrorOfAStillPicture) {
   }
 }
 
-}  // namespace
-}  // namespace unghost
+} // namespace
+} // namespace unghost

@@ -13,7 +13,7 @@ class Motion : public StudioTest {};
 
 /// Where the surface that pixel (x, y) shows was last frame, minus where it is: from depth and object alone.
 class Oracle {
- public:
+public:
   Oracle(const Scene& scene, const FrameInput& input, glm::dvec2 jitter)
       : input_(input), jitter_(jitter), now_(pose(scene, input.now)), before_(pose(scene, input.before)) {}
 
@@ -24,7 +24,7 @@ class Oracle {
   }
   glm::dvec2 pixel(uint32_t x, uint32_t y) const { return glm::dvec2(x, y) + 0.5 - jitter_; }
 
- private:
+private:
   glm::dvec3 position_world(uint32_t x, uint32_t y, double depth) const {
     const double down = std::tan(input_.now.vertical_fov / 2);
     const glm::dvec2 size(input_.width, input_.height);
@@ -39,7 +39,7 @@ class Oracle {
 };
 
 struct Deviation {
-  double motion_px = 0, depth = 0;  // the latter relative
+  double motion_px = 0, depth = 0; // the latter relative
   size_t moving_objects = 0, surfaces = 0;
 };
 
@@ -104,10 +104,11 @@ TEST_F(Motion, OfWhatWasBehindTheCameraIsFarOutsideThePicture) {
   input.before.camera = input.now.camera * glm::dquat(glm::angleAxis(3.1, glm::dvec3(0, 1, 0)));
   const FrameResult result = studio->renderer.render(input);
   for (size_t i = 0; i < result.delivered[1].image.values.size(); ++i) {
-    const glm::vec2 motion(result.delivered[0].image.values[2 * i], result.delivered[0].image.values[2 * i + 1]);
+    const glm::vec2 motion(result.delivered[0].image.values[2 * i],
+                           result.delivered[0].image.values[2 * i + 1]);
     ASSERT_GT(glm::length(motion), 320.0f);
   }
 }
 
-}  // namespace
-}  // namespace unghost
+} // namespace
+} // namespace unghost

@@ -37,7 +37,7 @@ struct Studio {
 inline ModeRun run_of(std::string_view mode) { return {std::string(mode), settings_for_mode(mode).taa}; }
 
 class StudioTest : public testing::Test {
- protected:
+protected:
   static void SetUpTestSuite() { studio = new Studio; }
   static void TearDownTestSuite() {
     delete studio;
@@ -49,4 +49,4 @@ class StudioTest : public testing::Test {
   static inline Studio* studio = nullptr;
 };
 
-}  // namespace unghost
+} // namespace unghost

@@ -7,7 +7,7 @@
 namespace unghost {
 namespace {
 
-constexpr uint64_t longest_wait_ns = 10'000'000'000;
+constexpr uint64_t longest_wait_ns = 60'000'000'000;
 
 /// The device that is asked for, or the first usable one, a GPU before a CPU.
 size_t choose(const std::vector<DeviceFacts>& all, const std::string& which) {
@@ -155,7 +155,7 @@ void Device::run(const std::function<void(VkCommandBuffer)>& record) {
   const VkFence fence = fence_;
   const VkResult waited = vkWaitForFences(device_, 1, &fence, VK_TRUE, longest_wait_ns);
   if (waited == VK_TIMEOUT)
-    throw GpuError(GpuFault::lost, "the device did not answer for ten seconds; try a smaller --size");
+    throw GpuError(GpuFault::lost, "the device did not answer for a minute; try a smaller --size");
   check(waited, "waiting for the device");
   check(vkResetFences(device_, 1, &fence), "waiting for the device");
 }

@@ -44,7 +44,7 @@ public:
   /// Memory for `needs`, of the first type that has all of `wanted`, else all of `required`.
   OwnedMemory allocate(const VkMemoryRequirements& needs, VkMemoryPropertyFlags required,
                        VkMemoryPropertyFlags wanted) const;
-  /// Records, submits, and waits, at most ten seconds: a hung device ends in GpuError(lost).
+  /// Records, submits, and waits, at most a minute: a hung device ends in GpuError(lost).
   void run(const std::function<void(VkCommandBuffer)>& record);
   /// vkCmdPushDescriptorSetKHR, which only the device can find.
   PFN_vkCmdPushDescriptorSetKHR push_descriptors = nullptr;

@@ -58,5 +58,5 @@ TEST(ModelsDrawn, EveryValidOneIsDrawnInTenSecondsOrNamesTheExtensionItRequires)
   EXPECT_GT(drawn, 150u);
 }
 
-}  // namespace
-}  // namespace unghost
+} // namespace
+} // namespace unghost

@@ -11,14 +11,15 @@ namespace {
 
 /// Trail by mode; a validation message would have ended the run with another exit code.
 std::map<std::string, double> trails(const std::string& rig) {
-  const Outcome run = outcome({"measure", "--rig", rig, "--modes", "blend,gdk-clamp,uncharted,grand-tour", "--what",
-                               "trail", "--size", "320x180", "--validate", "--json"});
+  const Outcome run = outcome({"measure", "--rig", rig, "--modes", "blend,gdk-clamp,uncharted,grand-tour",
+                               "--what", "trail", "--size", "320x180", "--validate", "--json"});
   EXPECT_EQ(run.exit, 0) << run.err;
   std::map<std::string, double> trail;
   const nlohmann::json object = nlohmann::json::parse(run.out);
   for (const auto& row : object.at("rows")) {
     trail[row.at("mode").get<std::string>()] = row.at("trail").get<double>();
-    std::printf("%-8s %-12s %.4f\n", rig.c_str(), row.at("mode").get<std::string>().c_str(), row.at("trail").get<double>());
+    std::printf("%-8s %-12s %.4f\n", rig.c_str(), row.at("mode").get<std::string>().c_str(),
+                row.at("trail").get<double>());
   }
   return trail;
 }
@@ -38,5 +39,5 @@ TEST(TrailOrders, FromBlendToClampToTagsOnEveryRig) {
   }
 }
 
-}  // namespace
-}  // namespace unghost
+} // namespace
+} // namespace unghost

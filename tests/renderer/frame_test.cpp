@@ -1,0 +1,79 @@
+// What a frame is made of: what nobody asks for is not drawn, and one geometry feeds many resolves.
+#include <algorithm>
+
+#include "tests/renderer/studio.h"
+
+namespace unghost {
+namespace {
+
+class Frame : public StudioTest {
+protected:
+  /// The passes of the third frame of a run.
+  std::vector<std::string> passes(const char* rig, const std::vector<ModeRun>& modes, Wanted wanted) {
+    FrameResult result;
+    for (int frame = 0; frame < 3; ++frame)
+      result = studio->renderer.render(studio->frame(rig, frame, modes, {wanted}));
+    std::vector<std::string> names;
+    for (const PassReport& pass : result.passes) names.push_back(pass.name);
+    return names;
+  }
+  static auto count(const std::vector<std::string>& names, std::string_view name) {
+    return std::ranges::count(names, name);
+  }
+};
+
+TEST_F(Frame, OffHasNoMotionAndNoResolve) {
+  const std::vector<std::string> names = passes("drive", {run_of("off")}, {Output::display});
+  EXPECT_EQ(count(names, "motion"), 0);
+  EXPECT_EQ(count(names, "g-buffer"), 1);
+  for (const std::string& name : names) EXPECT_FALSE(name.starts_with("taa"));
+}
+
+TEST_F(Frame, ModesThatShareAJitterShareGeometryAndLight) {
+  const std::vector<std::string> names =
+      passes("drive", {run_of("blend"), run_of("gdk-clamp"), run_of("grand-tour")}, {Output::display, 2});
+  EXPECT_EQ(count(names, "g-buffer"), 1);
+  EXPECT_EQ(count(names, "light"), 1);
+  EXPECT_EQ(count(names, "taa blend"), 1);
+  EXPECT_EQ(count(names, "taa gdk-clamp"), 1);
+  EXPECT_EQ(count(names, "taa grand-tour"), 1);
+  EXPECT_EQ(count(names, "tone map"), 1) << "only what is wanted is tone-mapped";
+}
+
+TEST_F(Frame, OffCostsNothingUntilItIsWanted) {
+  const std::vector<ModeRun> modes{run_of("off"), run_of("blend")};
+  EXPECT_EQ(count(passes("drive", modes, {Output::display, 1}), "g-buffer"), 1);
+  EXPECT_EQ(count(passes("drive", modes, {Output::display, 0}), "g-buffer"), 2);
+}
+
+TEST_F(Frame, ShadowsOfWhatRestsAreDrawnOnce) {
+  const std::vector<std::string> still = passes("still", {run_of("blend")}, {Output::display});
+  EXPECT_EQ(count(still, "shadows of what rests"), 0);
+  EXPECT_EQ(count(still, "shadows of what moves"), 0);
+  EXPECT_EQ(count(passes("pass", {run_of("blend")}, {Output::display}), "shadows of what moves"), 1);
+}
+
+TEST_F(Frame, ComparedModesAreThoseDrawnAlone) {
+  const auto last = [&](const std::vector<ModeRun>& modes, size_t mode) {
+    FrameResult result;
+    for (int frame = 0; frame < 6; ++frame)
+      result = studio->renderer.render(studio->frame("drive", frame, modes, {{Output::display, mode}}));
+    return result.delivered[0].picture.rgba;
+  };
+  const std::vector<uint8_t> alone = last({run_of("grand-tour")}, 0);
+  EXPECT_EQ(last({run_of("off"), run_of("blend"), run_of("grand-tour")}, 2), alone);
+}
+
+TEST_F(Frame, ACutLeavesNothingOfBefore) {
+  const std::vector<ModeRun> modes{run_of("blend")};
+  for (int frame = 0; frame < 4; ++frame) studio->renderer.render(studio->frame("rotate", frame, modes, {}));
+  FrameInput cut = studio->frame("drive", 20, modes, {{Output::display}});
+  cut.cut = true;
+  cut.before = cut.now;
+  const std::vector<uint8_t> after_cut = studio->renderer.render(cut).delivered[0].picture.rgba;
+  Renderer fresh(studio->device, studio->data.shaders, studio->staged.scene);
+  EXPECT_EQ(fresh.render(cut).delivered[0].picture.rgba, after_cut);
+}
+
+} // namespace
+} // namespace unghost

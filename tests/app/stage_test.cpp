@@ -116,16 +116,22 @@ TEST_F(StageTest, SettingsOfAModelAreRefusedForAScene) {
   EXPECT_THROW(stage(road(), {.model_scale = 2}), SettingError);
 }
 
-TEST_F(StageTest, WhatCannotBeDrawnIsRefused) {
+TEST_F(StageTest, AnEmptyModelIsAWarning) {
   json empty = model({1, 1, 1}, {0, 0, 0});
   empty["nodes"][0].erase("mesh");
-  for (const json& file : {empty, json::object()}) try {
-      stage(file);
-      ADD_FAILURE();
-    } catch (const Failure& failure) {
-      EXPECT_EQ(failure.exit, Exit::input_refused);
-      EXPECT_NE(std::string(failure.what()).find("model.gltf"), std::string::npos) << failure.what();
-    }
+  const Staged staged = stage(empty);
+  EXPECT_EQ(std::ranges::count(staged.scene.warnings, "there is nothing in it to draw"), 1);
+  EXPECT_EQ(std::ranges::count(staged.scene.nodes, "ground", &Node::name), 1);
+}
+
+TEST_F(StageTest, WhatIsNoModelIsRefused) {
+  try {
+    stage(json::object());
+    ADD_FAILURE();
+  } catch (const Failure& failure) {
+    EXPECT_EQ(failure.exit, Exit::input_refused);
+    EXPECT_NE(std::string(failure.what()).find("model.gltf"), std::string::npos) << failure.what();
+  }
 }
 
 } // namespace

@@ -3,8 +3,7 @@
 namespace unghost {
 namespace {
 
-FrameImages::OfGeometry draw_geometry(FrameGraph& graph, const FrameContext& in) {
-  const ImageRef shadow_map = draw_shadow_map(graph, in);
+FrameImages::OfGeometry draw_geometry(FrameGraph& graph, const FrameContext& in, ImageRef shadow_map) {
   const GBuffer gbuffer = draw_gbuffer(graph, in);
   const Motion motion = resolve_motion(graph, in, gbuffer);
   const Lit lit = light(graph, in, gbuffer, shadow_map);
@@ -31,7 +30,8 @@ FrameImages::OfMode draw_mode(FrameGraph& graph, const FrameContext& in,
 FrameImages declare_frame(FrameGraph& graph, const std::deque<FrameContext>& contexts,
                           const std::vector<size_t>& geometry_of) {
   FrameImages images;
-  for (const FrameContext& in : contexts) images.geometries.push_back(draw_geometry(graph, in));
+  const ImageRef shadow_map = draw_shadow_map(graph, contexts.front()); // no jitter touches it
+  for (const FrameContext& in : contexts) images.geometries.push_back(draw_geometry(graph, in, shadow_map));
   for (size_t place = 0; place < geometry_of.size(); ++place) {
     const size_t geometry = geometry_of[place];
     images.modes.push_back(draw_mode(graph, contexts[geometry], images.geometries[geometry], place));

@@ -27,12 +27,24 @@ struct FrameImages {
 FrameImages declare_frame(FrameGraph& graph, const std::deque<FrameContext>& contexts,
                           const std::vector<size_t>& geometry_of);
 
-/// Poses the scene and describes it to the passes, once for each jitter among the modes.
+/// Counts up when what the shadows of resting things are made from changes.
+struct ShadowVersion {
+  std::vector<double> made_from;
+  uint64_t number = 0;
+};
+
+/// What the frame before leaves behind, its images aside.
+struct LastFrame {
+  std::vector<TaaPolicy> policies; // by place in the list of modes
+  ShadowVersion shadows;
+};
+
 struct FrameSetup {
   std::deque<FrameContext> contexts;
   std::vector<size_t> geometry_of; // by mode
 };
+/// Poses the scene and describes it to the passes, once for each jitter among the modes.
 FrameSetup describe_frame(const FrameInput& input, const Scene& scene, const GpuScene& gpu,
-                          FrameMemory& memory, std::vector<uint8_t> policy_changed);
+                          FrameMemory& memory, LastFrame& before);
 
 } // namespace unghost

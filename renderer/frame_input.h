@@ -78,13 +78,14 @@ struct Delivered {
 
 struct PassReport {
   std::string name;
-  double ms = 0;            // GPU time; 0 until the device has measured it
+  double ms = 0;            // GPU time
   uint64_t image_bytes = 0; // of the images that the pass is the first to write
 };
 
 struct FrameResult {
   std::vector<Delivered> delivered; // as many as were wanted, in their order
   std::vector<PassReport> passes;
+  uint64_t image_bytes = 0; // of all images that the frame touches, each once
 };
 
 } // namespace unghost

@@ -40,14 +40,16 @@ Objects place_objects(const FrameInput& input, const Scene& scene, const GpuScen
 
 /// Whether some of the box may be seen: not all of its corners lie beyond one and the same side of the
 /// picture.
-bool may_be_seen(const Bounds& box, const glm::dmat4& clip_from_object) {
+bool may_be_seen(const Bounds& box, const glm::dmat4& clip_from_object, glm::dvec2 side = {1, 1}) {
   int beyond[5] = {};
   for (int corner = 0; corner < 8; ++corner) {
     const glm::dvec4 at(corner & 1 ? box.high.x : box.low.x, corner & 2 ? box.high.y : box.low.y,
                         corner & 4 ? box.high.z : box.low.z, 1);
     const glm::dvec4 clip = clip_from_object * at;
-    beyond[0] += clip.x<-clip.w, beyond[1] += clip.x> clip.w;
-    beyond[2] += clip.y<-clip.w, beyond[3] += clip.y> clip.w;
+    beyond[0] += clip.x < -side.x * clip.w;
+    beyond[1] += clip.x > side.x * clip.w;
+    beyond[2] += clip.y < -side.y * clip.w;
+    beyond[3] += clip.y > side.y * clip.w;
     beyond[4] += clip.z > clip.w; // before the near plane
   }
   for (const int count : beyond)
@@ -70,10 +72,12 @@ void list_draws(FrameContext& in, const FrameConstants& constants, const GpuScen
   for (int column = 0; column < 4; ++column)
     for (int row = 0; row < 2; ++row)
       shadow_clip_from_eye[column][row] = 2 * shadow_clip_from_eye[column][row] - (column == 3 ? 1 : 0);
+  // Culling does not see the jitter: it could move things by half a pixel.
+  const glm::dvec2 side = 1.0 + 1.0 / glm::dvec2(constants.size_px);
   std::vector<std::pair<double, const Draw*>> by_distance;
   for (const Draw& draw : gpu.draws) {
     const glm::dmat4& eye_from_object = objects.eye_from_object[draw.object];
-    if (may_be_seen(draw.bounds, clip_from_eye * eye_from_object))
+    if (may_be_seen(draw.bounds, clip_from_eye * eye_from_object, side))
       by_distance.emplace_back(distance_to(draw.bounds, eye_from_object), &draw);
     if ((draw.features & IS_UNLIT) == 0 && !draw.blended &&
         may_be_seen(draw.bounds, shadow_clip_from_eye * eye_from_object))
@@ -110,10 +114,20 @@ std::vector<LightData> place_lights(const FrameInput& input, const Scene& scene,
   return lights;
 }
 
-/// Shadows of what rests change when something comes to rest or starts to move.
-uint64_t mixed(uint64_t version, const std::vector<uint8_t>& moved) {
-  for (const uint8_t flag : moved) version = (version ^ flag) * 1099511628211u;
-  return version;
+/// Changes when the map moves, the sun does, or what rests is elsewhere or no longer rests.
+uint64_t version_of(ShadowVersion& version, std::vector<double> place, const Objects& objects,
+                    const GpuScene& gpu, const std::vector<glm::dmat4>& now) {
+  for (size_t i = 0; i < objects.moved.size(); ++i) {
+    place.push_back(objects.moved[i]);
+    if (objects.moved[i]) continue;
+    const glm::dmat4& world = now[size_t(gpu.object_nodes[i])];
+    place.insert(place.end(), &world[0].x, &world[0].x + 16);
+  }
+  if (place != version.made_from) {
+    version.made_from = std::move(place);
+    ++version.number;
+  }
+  return version.number;
 }
 
 bool share_geometry(const TaaSettings& a, const TaaSettings& b) {
@@ -123,49 +137,64 @@ bool share_geometry(const TaaSettings& a, const TaaSettings& b) {
          (!still && !other_still && a.policy.jitter == b.policy.jitter && a.jitter_scale == b.jitter_scale);
 }
 
-} // namespace
+/// By mode, whether its history is of another policy; `policies` become this frame's.
+std::vector<uint8_t> changes_of(std::vector<TaaPolicy>& policies, const std::vector<ModeRun>& modes) {
+  std::vector<uint8_t> changed;
+  for (size_t i = 0; i < modes.size(); ++i)
+    changed.push_back(i >= policies.size() || policies[i] != modes[i].taa.policy);
+  policies.clear();
+  for (const ModeRun& run : modes) policies.push_back(run.taa.policy);
+  return changed;
+}
 
-FrameSetup describe_frame(const FrameInput& input, const Scene& scene, const GpuScene& gpu,
-                          FrameMemory& memory, std::vector<uint8_t> policy_changed) {
-  const std::vector<glm::dmat4> now = pose(scene, input.now);
-  const Objects objects = place_objects(input, scene, gpu, now);
-  const std::vector<LightData> lights = place_lights(input, scene, now);
-  const std::vector<glm::mat4x3> eye_from_object(objects.eye_from_object.begin(),
-                                                 objects.eye_from_object.end());
-  const BufferSlice previous = memory.push_range(objects.previous_eye_from_object),
-                    light_slice = memory.push_range(lights);
-
-  FrameSetup setup;
+/// For each mode the index of its geometry, and for each geometry the settings that its jitter comes from.
+std::vector<const TaaSettings*> share_geometries(const FrameInput& input, std::vector<size_t>& geometry_of) {
   std::vector<const TaaSettings*> jitters;
   for (const ModeRun& run : input.modes) {
     size_t geometry = 0;
-    while (geometry < jitters.size() && !share_geometry(*jitters[geometry], run.taa)) ++geometry;
+    while (geometry < jitters.size() && !input.jitter_px && !share_geometry(*jitters[geometry], run.taa))
+      ++geometry;
     if (geometry == jitters.size()) jitters.push_back(&run.taa);
-    setup.geometry_of.push_back(geometry);
+    geometry_of.push_back(geometry);
   }
-  for (const TaaSettings* taa : jitters) {
-    FrameConstants constants{};
+  return jitters;
+}
+
+} // namespace
+
+FrameSetup describe_frame(const FrameInput& input, const Scene& scene, const GpuScene& gpu,
+                          FrameMemory& memory, LastFrame& before) {
+  const std::vector<glm::dmat4> now = pose(scene, input.now);
+  const Objects objects = place_objects(input, scene, gpu, now);
+  const std::vector<LightData> lights = place_lights(input, scene, now);
+  FrameConstants constants{};
+  describe_camera(constants, input, {0, 0});
+  describe_light(constants, input);
+  const std::vector<double> map_place = describe_shadow_map(constants, input);
+  FrameContext in{.input = input,
+                  .scene = gpu,
+                  .size = {input.width, input.height},
+                  .constants = {},
+                  .eye_from_object = {objects.eye_from_object.begin(), objects.eye_from_object.end()},
+                  .previous_eye_from_object = memory.push_range(objects.previous_eye_from_object),
+                  .lights = memory.push_range(lights),
+                  .light_count = uint32_t(lights.size()),
+                  .visible = {},
+                  .casters = {},
+                  .moved = objects.moved,
+                  .mirrored = objects.mirrored,
+                  .anything_moved = objects.anything_moved,
+                  .shadow_texels = shadow_texels,
+                  .shadow_version = version_of(before.shadows, map_place, objects, gpu, now),
+                  .policy_changed = changes_of(before.policies, input.modes)};
+  list_draws(in, constants, gpu, objects);
+
+  FrameSetup setup;
+  for (const TaaSettings* taa : share_geometries(input, setup.geometry_of)) {
     const glm::dvec2 own = jitter_offset(taa->policy.jitter, input.index) * double(taa->jitter_scale);
     describe_camera(constants, input, input.jitter_px.value_or(own));
-    const uint64_t version = describe_sun(constants, input);
-    FrameContext in{.input = input,
-                    .scene = gpu,
-                    .size = {input.width, input.height},
-                    .constants = memory.push_value(constants),
-                    .eye_from_object = eye_from_object,
-                    .previous_eye_from_object = previous,
-                    .lights = light_slice,
-                    .light_count = uint32_t(lights.size()),
-                    .visible = {},
-                    .casters = {},
-                    .moved = objects.moved,
-                    .mirrored = objects.mirrored,
-                    .anything_moved = objects.anything_moved,
-                    .shadow_texels = shadow_texels,
-                    .shadow_version = mixed(version, objects.moved),
-                    .policy_changed = policy_changed};
-    list_draws(in, constants, gpu, objects);
-    setup.contexts.push_back(std::move(in));
+    in.constants = memory.push_value(constants);
+    setup.contexts.push_back(in);
   }
   return setup;
 }

@@ -41,9 +41,9 @@ std::vector<glm::dmat4> pose(const Scene& scene, const Instant& instant) {
   turn_wheels(scene, instant, world, local);
   world = world_matrices(scene, local);
   if (scene.vehicle < 0) return world;
-  const int parent = scene.nodes[size_t(scene.vehicle)].parent;
-  const glm::dmat4 above = parent < 0 ? glm::dmat4(1) : world[size_t(parent)];
-  const glm::dmat4 moves = above * instant.vehicle * glm::inverse(above);
+  // wherever the file has parked it: the rig says where the vehicle's own frame is
+  const glm::dmat4 parked = world_matrices(scene, default_pose(scene))[size_t(scene.vehicle)];
+  const glm::dmat4 moves = instant.vehicle * glm::inverse(parked);
   const std::vector<bool> in_vehicle = subtree_of(scene, scene.vehicle);
   for (size_t n = 0; n < world.size(); ++n)
     if (in_vehicle[n]) world[n] = moves * world[n];

@@ -7,13 +7,15 @@ namespace unghost {
 
 struct Renderer::Parts {
   Parts(Device& device, const std::filesystem::path& shaders, Scene what)
-      : scene(std::move(what)), gpu(device, scene), runner(device, shaders) {}
+      : scene(std::move(what)), gpu(device, scene), runner(device, shaders),
+        largest_side(device.largest_image_side()) {}
 
   Scene scene;
   GpuScene gpu;
   GraphRunner runner;
   uint64_t frame = 0;
-  std::vector<TaaPolicy> policies; // of the last frame, by place
+  LastFrame last;
+  uint32_t largest_side;
 };
 
 Renderer::Renderer(Device& device, const std::filesystem::path& shaders, Scene scene)
@@ -24,20 +26,17 @@ Renderer::~Renderer() = default;
 const Scene& Renderer::scene() const { return parts_->scene; }
 
 FrameResult Renderer::render(const FrameInput& input) {
-  std::vector<uint8_t> changed;
-  for (size_t i = 0; i < input.modes.size(); ++i)
-    changed.push_back(i >= parts_->policies.size() || parts_->policies[i] != input.modes[i].taa.policy);
-  parts_->policies.clear();
-  for (const ModeRun& run : input.modes) parts_->policies.push_back(run.taa.policy);
-
+  if (const uint32_t most = parts_->largest_side; input.width > most || input.height > most)
+    throw GpuError(GpuFault::out_of_memory, "this device draws pictures of at most " + std::to_string(most) +
+                                                " pixels a side; try a smaller --size");
   GraphRunner& runner = parts_->runner;
-  const FrameSetup setup = describe_frame(input, parts_->scene, parts_->gpu, runner.memory(), changed);
+  const FrameSetup setup = describe_frame(input, parts_->scene, parts_->gpu, runner.memory(), parts_->last);
   FrameGraph graph(runner.kept(), parts_->frame++);
   const FrameImages images = declare_frame(graph, setup.contexts, setup.geometry_of);
   for (const Wanted& wanted : input.wanted) ask(graph, images, wanted);
   RunResult run = runner.run(graph);
 
-  FrameResult result;
+  FrameResult result{.delivered = {}, .passes = {}, .image_bytes = run.image_bytes};
   for (size_t i = 0; i < input.wanted.size(); ++i)
     result.delivered.push_back(deliver(input, input.wanted[i].what, run.readbacks[i]));
   for (PassTime& pass : run.passes)

@@ -1,8 +1,6 @@
 #include "renderer/sun.h"
 
 #include <cmath>
-#include <cstring>
-#include <span>
 
 namespace unghost {
 namespace {
@@ -12,17 +10,6 @@ constexpr double step_m = 9;     // it moves in steps of this, so that it is sel
 constexpr double ahead_m = 22;   // its middle lies this far before the camera
 constexpr double depth_m = 240;  // along the sun's rays, where the steps are larger: nobody sees them
 constexpr double depth_step_m = 60;
-
-/// Not the identity of anything: only that two numbers differ when what they were made from does.
-uint64_t fingerprint(std::span<const double> values) {
-  uint64_t hash = 14695981039346656037u; // FNV-1a
-  for (const double value : values) {
-    uint64_t bits = 0;
-    std::memcpy(&bits, &value, sizeof bits);
-    hash = (hash ^ bits) * 1099511628211u;
-  }
-  return hash;
-}
 
 struct SunFrame {
   glm::dvec3 right, up, towards;
@@ -34,20 +21,8 @@ SunFrame frame_of(glm::dvec3 towards) {
   return {right, glm::cross(towards, right), towards};
 }
 
-} // namespace
-
-uint64_t describe_sun(FrameConstants& constants, const FrameInput& input) {
-  const LightSettings& light = input.settings.light;
-  const glm::dvec3 towards = glm::normalize(input.now.towards_sun);
-  constants.towards_sun = towards;
-  constants.sun_illuminance = glm::vec3(1.0f, 0.93f, 0.82f) * (5.2f * light.sun_illuminance);
-  constants.sky_zenith = glm::vec3(0.17f, 0.32f, 0.62f) * light.sky_luminance;
-  constants.sky_horizon = glm::vec3(0.62f, 0.72f, 0.84f) * light.sky_luminance;
-  const float share = 0.14f * (std::max(constants.towards_sun.y, 0.0f) / 3.14159f);
-  constants.ground = constants.sun_illuminance * share + constants.sky_horizon * 0.1f;
-  constants.exposure = std::exp2(light.exposure_ev);
-
-  const SunFrame sun = frame_of(towards);
+/// Middle of the map's square, along the sun's axes.
+glm::dvec3 place_of_map(const FrameInput& input, const SunFrame& sun) {
   glm::dvec3 ahead = input.now.camera * glm::dvec3(0, 0, -1);
   ahead.y = 0;
   const double length = glm::length(ahead);
@@ -56,23 +31,36 @@ uint64_t describe_sun(FrameConstants& constants, const FrameInput& input) {
   const auto snapped = [&](glm::dvec3 axis, double step) {
     return std::round(glm::dot(middle, axis) / step) * step;
   };
-  const glm::dvec3 at(snapped(sun.right, step_m), snapped(sun.up, step_m),
-                      snapped(sun.towards, depth_step_m));
+  return {snapped(sun.right, step_m), snapped(sun.up, step_m), snapped(sun.towards, depth_step_m)};
+}
 
-  const glm::dvec3 eye(glm::dot(input.now.eye, sun.right), glm::dot(input.now.eye, sun.up),
-                       glm::dot(input.now.eye, sun.towards));
-  glm::dmat4 shadow_from_eye(1.0);
-  const glm::dvec3 scale(1 / covered_m, 1 / covered_m, -1 / depth_m);
+} // namespace
+
+void describe_light(FrameConstants& constants, const FrameInput& input) {
+  const LightSettings& light = input.settings.light;
+  constants.towards_sun = glm::normalize(input.now.towards_sun);
+  constants.sun_illuminance = glm::vec3(1.0f, 0.93f, 0.82f) * (5.2f * light.sun_illuminance);
+  constants.sky_zenith = glm::vec3(0.17f, 0.32f, 0.62f) * light.sky_luminance;
+  constants.sky_horizon = glm::vec3(0.62f, 0.72f, 0.84f) * light.sky_luminance;
+  const float share = 0.14f * (std::max(constants.towards_sun.y, 0.0f) / 3.14159f);
+  constants.ground = constants.sun_illuminance * share + constants.sky_horizon * 0.1f;
+  constants.exposure = std::exp2(light.exposure_ev);
+}
+
+std::vector<double> describe_shadow_map(FrameConstants& constants, const FrameInput& input) {
+  const SunFrame sun = frame_of(glm::normalize(input.now.towards_sun));
+  const glm::dvec3 at = place_of_map(input, sun);
   const glm::dvec3 axes[] = {sun.right, sun.up, sun.towards};
+  const glm::dvec3 scale(1 / covered_m, 1 / covered_m, -1 / depth_m);
+  glm::dmat4 shadow_from_eye(1.0);
   for (int row = 0; row < 3; ++row) {
     for (int column = 0; column < 3; ++column) shadow_from_eye[column][row] = axes[row][column] * scale[row];
-    shadow_from_eye[3][row] = (eye[row] - at[row]) * scale[row] + 0.5;
+    shadow_from_eye[3][row] = (glm::dot(input.now.eye, axes[row]) - at[row]) * scale[row] + 0.5;
   }
   constants.shadow_from_eye = shadow_from_eye;
   constants.shadow_texels = float(shadow_texels);
   constants.shadow_texel_m = float(covered_m / shadow_texels);
-  const double place[] = {at.x, at.y, at.z, towards.x, towards.y, towards.z};
-  return fingerprint(place);
+  return {at.x, at.y, at.z, sun.towards.x, sun.towards.y, sun.towards.z};
 }
 
 } // namespace unghost

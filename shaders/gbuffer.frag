@@ -25,17 +25,19 @@ layout(location = 5) out uint out_id;
 // A mirror would need rays; and roughness 0 is taken: it marks a surface that light does not change.
 const float least_roughness = 0.03;
 
+/// In the frame of the front, and turned over as a whole for the back.
 vec3 shading_normal(float normal_scale) {
-  vec3 n = normalize(gl_FrontFacing ? in_normal : -in_normal);
-  if (!has(HAS_NORMAL)) return n;
+  vec3 n = normalize(in_normal), shading = n;
   vec3 t = in_tangent.xyz - n * dot(in_tangent.xyz, n);
   float length2 = dot(t, t);
-  if (length2 < 1e-12) return n;
-  t *= inversesqrt(length2);
-  vec3 b = cross(n, t) * in_tangent.w;
-  vec3 mapped = texture(normal_map, uv_of(2, in_uv.xy, in_uv.zw)).xyz * 2 - 1;
-  mapped.xy *= normal_scale;
-  return normalize(t * mapped.x + b * mapped.y + n * max(mapped.z, 1e-3));
+  if (has(HAS_NORMAL) && length2 > 1e-12) {
+    t *= inversesqrt(length2);
+    vec3 b = cross(n, t) * in_tangent.w;
+    vec3 mapped = texture(normal_map, uv_of(2, in_uv.xy, in_uv.zw)).xyz * 2 - 1;
+    mapped.xy *= normal_scale;
+    shading = normalize(t * mapped.x + b * mapped.y + n * max(mapped.z, 1e-3));
+  }
+  return gl_FrontFacing ? shading : -shading;
 }
 
 /// Motion in pixels and last frame's depth.

@@ -20,8 +20,9 @@ void main() {
   gl_Position = frame.clip_from_eye * vec4(draw.eye_from_object * vec4(position, 1), 1);
   // cofactors: what is flattened has no inverse, and still knows where its normals point
   vec3 cofactor = cross(m[1], m[2]);
-  out_normal = mat3(cofactor, cross(m[2], m[0]), cross(m[0], m[1])) * normal * sign(dot(m[0], cofactor));
-  out_tangent = vec4(m * tangent.xyz, tangent.w);
+  float side = dot(m[0], cofactor) < 0 ? -1.0 : 1.0;
+  out_normal = mat3(cofactor, cross(m[2], m[0]), cross(m[0], m[1])) * normal * side;
+  out_tangent = vec4(m * tangent.xyz, tangent.w * side);
   out_uv = vec4(uv0, uv1);
   out_colour = colour;
   out_previous_eye = moved ? previous_eye_from_object[gl_InstanceIndex] * vec4(position, 1) : vec3(0);

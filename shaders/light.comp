@@ -67,7 +67,7 @@ vec3 from_lamps(Surface s, vec3 position_eye, vec3 to_eye) {
     vec3 l = to_lamp * inversesqrt(distance2);
     float share = clamp(dot(lamp.direction_eye, -l) * lamp.spot_scale + lamp.spot_offset, 0, 1);
     float range = clamp(1 - pow(distance2 * lamp.inverse_range_squared, 2), 0, 1);
-    float falloff = lamp.directional != 0 ? 1 : share * share * range * range / distance2;
+    float falloff = lamp.directional != 0 ? 1 : share * share * range / distance2;
     sum += lamp.intensity * falloff * reflect_light(s, to_eye, l);
   }
   return sum;

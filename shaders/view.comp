@@ -5,6 +5,7 @@
 #include "shared/views.h"
 
 layout(constant_id = 0) const uint view = 0;
+layout(constant_id = 1) const bool resolved = false;
 
 layout(set = 0, binding = VIEW_PICTURE) uniform texture2D picture_map;
 layout(set = 0, binding = VIEW_ALBEDO) uniform texture2D albedo_map;
@@ -70,7 +71,9 @@ vec3 draw(ivec2 pixel) {
     return tag == 0 ? grey : mix(picture, hue(float(tag) * 0.381966), 0.7);
   }
   case view_shadow: return vec3(texelFetch(visibility_map, pixel, 0).r);
-  case view_weight: return vec3(texelFetch(why_map, min(pixel, textureSize(why_map, 0) - 1), 0).r);
+  case view_weight:
+    if (!resolved) return vec3(1);
+    return vec3(texelFetch(why_map, min(pixel, textureSize(why_map, 0) - 1), 0).r);
   default: {
     vec4 why = texelFetch(why_map, min(pixel, textureSize(why_map, 0) - 1), 0);
     bool marked = (view == view_rectified && why.g > 0.5) || (view == view_tag_rejected && why.b > 0.5) ||

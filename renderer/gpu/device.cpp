@@ -7,14 +7,16 @@
 namespace unghost {
 namespace {
 
+// A GPU that takes longer hangs; a software device may just have been given much to do.
 constexpr uint64_t longest_wait_ns = 60'000'000'000;
 
 /// The device that is asked for, or the first usable one, a GPU before a CPU.
 size_t choose(const std::vector<DeviceFacts>& all, const std::string& which) {
+  const bool by_index = !which.empty() && which.find_first_not_of("0123456789") == std::string::npos;
   for (size_t i = 0; i < all.size(); ++i) {
-    const bool asked = which.empty()
-                           ? all[i].usable && !all[i].software
-                           : which == std::to_string(i) || all[i].name.find(which) != std::string::npos;
+    const bool asked = which.empty() ? all[i].usable && !all[i].software
+                       : by_index    ? which == std::to_string(i)
+                                     : all[i].name.find(which) != std::string::npos;
     if (!asked) continue;
     if (!all[i].usable)
       throw GpuError(GpuFault::no_device, "the device " + all[i].name + " lacks " + all[i].missing);
@@ -127,6 +129,7 @@ uint64_t Device::buffer_alignment() const {
 
 OwnedMemory Device::allocate(const VkMemoryRequirements& needs, VkMemoryPropertyFlags required,
                              VkMemoryPropertyFlags wanted) const {
+  VkResult result = VK_ERROR_OUT_OF_DEVICE_MEMORY;
   for (const VkMemoryPropertyFlags flags : {required | wanted, required})
     for (uint32_t type = 0; type < memory_.memoryTypeCount; ++type) {
       const bool fits = (needs.memoryTypeBits >> type & 1) != 0;
@@ -135,17 +138,23 @@ OwnedMemory Device::allocate(const VkMemoryRequirements& needs, VkMemoryProperty
                                       .allocationSize = needs.size,
                                       .memoryTypeIndex = type};
       VkDeviceMemory memory = VK_NULL_HANDLE;
-      check(vkAllocateMemory(device_, &info, nullptr, &memory), "allocating memory");
-      return {device_, memory};
+      result = vkAllocateMemory(device_, &info, nullptr, &memory);
+      if (result == VK_SUCCESS) return {device_, memory}; // else a heap is full, and another may not be
     }
-  throw GpuError(GpuFault::out_of_memory, "the device has no memory of the kind that is needed");
+  check(result, "allocating memory");
+  return {};
 }
 
 void Device::run(const std::function<void(VkCommandBuffer)>& record) {
   const VkCommandBufferBeginInfo begin{.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO,
                                        .flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT};
   check(vkBeginCommandBuffer(commands_, &begin), "recording");
-  record(commands_);
+  try {
+    record(commands_);
+  } catch (...) {
+    vkResetCommandBuffer(commands_, 0);
+    throw;
+  }
   check(vkEndCommandBuffer(commands_), "recording");
   const VkCommandBufferSubmitInfo buffer{.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_SUBMIT_INFO,
                                          .commandBuffer = commands_};
@@ -153,7 +162,8 @@ void Device::run(const std::function<void(VkCommandBuffer)>& record) {
       .sType = VK_STRUCTURE_TYPE_SUBMIT_INFO_2, .commandBufferInfoCount = 1, .pCommandBufferInfos = &buffer};
   check(vkQueueSubmit2(queue_, 1, &submit, fence_), "submitting work");
   const VkFence fence = fence_;
-  const VkResult waited = vkWaitForFences(device_, 1, &fence, VK_TRUE, longest_wait_ns);
+  const VkResult waited =
+      vkWaitForFences(device_, 1, &fence, VK_TRUE, facts_.software ? UINT64_MAX : longest_wait_ns);
   if (waited == VK_TIMEOUT)
     throw GpuError(GpuFault::lost, "the device did not answer for a minute; try a smaller --size");
   check(waited, "waiting for the device");

@@ -33,10 +33,8 @@ struct ImageDesc {
 enum class Use : uint8_t {
   colour_attachment,
   depth_attachment, // tested and written
-  depth_test,       // tested only
   sampled,          // colour, or depth's depth
   sampled_stencil,
-  storage_read,
   storage_write,
   transfer_source,
   transfer_destination,
@@ -53,7 +51,6 @@ struct Binding {
 
 Binding sampled(uint32_t slot, ImageRef image);
 Binding sampled_stencil(uint32_t slot, ImageRef image);
-Binding storage_read(uint32_t slot, ImageRef image);
 Binding storage_write(uint32_t slot, ImageRef image);
 Binding uniform(uint32_t slot, BufferSlice buffer);
 Binding buffer(uint32_t slot, BufferSlice buffer);

@@ -70,81 +70,61 @@ std::optional<ImageBarrier> step(ImageState& state, const Touch& touch, bool dis
 
 } // namespace
 
+namespace {
+
+constexpr VkPipelineStageFlags2 of_the_shader = 0; // the stage follows from the kind of the pass
+constexpr VkPipelineStageFlags2 depth_stages =
+    VK_PIPELINE_STAGE_2_EARLY_FRAGMENT_TESTS_BIT | VK_PIPELINE_STAGE_2_LATE_FRAGMENT_TESTS_BIT;
+constexpr VkImageLayout for_reading = VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL;
+
+/// The one table of uses, in the order of Use.
+constexpr UseFacts uses[] = {
+    {VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT,
+     VK_ACCESS_2_COLOR_ATTACHMENT_READ_BIT | VK_ACCESS_2_COLOR_ATTACHMENT_WRITE_BIT,
+     VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL, VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT, false, true},
+    {depth_stages,
+     VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_READ_BIT | VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_WRITE_BIT,
+     VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL, VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT, true,
+     true},
+    {of_the_shader, VK_ACCESS_2_SHADER_SAMPLED_READ_BIT, for_reading, VK_IMAGE_USAGE_SAMPLED_BIT, true,
+     false},
+    {of_the_shader, VK_ACCESS_2_SHADER_SAMPLED_READ_BIT, for_reading, VK_IMAGE_USAGE_SAMPLED_BIT, true,
+     false},
+    {of_the_shader, VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT, VK_IMAGE_LAYOUT_GENERAL, VK_IMAGE_USAGE_STORAGE_BIT,
+     false, true},
+    {VK_PIPELINE_STAGE_2_COPY_BIT, VK_ACCESS_2_TRANSFER_READ_BIT, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL,
+     VK_IMAGE_USAGE_TRANSFER_SRC_BIT, true, false},
+    {VK_PIPELINE_STAGE_2_COPY_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL,
+     VK_IMAGE_USAGE_TRANSFER_DST_BIT, false, true},
+};
+
+} // namespace
+
 UseFacts facts_of(Use use, PassKind kind, VkFormat format) {
-  const VkPipelineStageFlags2 shader = kind == PassKind::compute ? VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT
-                                                                 : VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT;
-  constexpr VkPipelineStageFlags2 depth_stages =
-      VK_PIPELINE_STAGE_2_EARLY_FRAGMENT_TESTS_BIT | VK_PIPELINE_STAGE_2_LATE_FRAGMENT_TESTS_BIT;
-  const VkImageLayout sampled_layout = is_depth(format) ? VK_IMAGE_LAYOUT_DEPTH_STENCIL_READ_ONLY_OPTIMAL
-                                                        : VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL;
-  switch (use) {
-  case Use::colour_attachment:
-    return {VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT,
-            VK_ACCESS_2_COLOR_ATTACHMENT_READ_BIT | VK_ACCESS_2_COLOR_ATTACHMENT_WRITE_BIT,
-            VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL,
-            VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT,
-            false,
-            true};
-  case Use::depth_attachment:
-    return {depth_stages,
-            VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_READ_BIT | VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_WRITE_BIT,
-            VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL,
-            VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT,
-            true,
-            true};
-  case Use::depth_test:
-    return {depth_stages,
-            VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_READ_BIT,
-            VK_IMAGE_LAYOUT_DEPTH_STENCIL_READ_ONLY_OPTIMAL,
-            VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT,
-            true,
-            false};
-  case Use::sampled:
-  case Use::sampled_stencil:
-    return {shader, VK_ACCESS_2_SHADER_SAMPLED_READ_BIT, sampled_layout, VK_IMAGE_USAGE_SAMPLED_BIT, true,
-            false};
-  case Use::storage_read:
-    return {shader,
-            VK_ACCESS_2_SHADER_STORAGE_READ_BIT,
-            VK_IMAGE_LAYOUT_GENERAL,
-            VK_IMAGE_USAGE_STORAGE_BIT,
-            true,
-            false};
-  case Use::storage_write:
-    return {shader,
-            VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT,
-            VK_IMAGE_LAYOUT_GENERAL,
-            VK_IMAGE_USAGE_STORAGE_BIT,
-            false,
-            true};
-  case Use::transfer_source:
-    return {VK_PIPELINE_STAGE_2_COPY_BIT,
-            VK_ACCESS_2_TRANSFER_READ_BIT,
-            VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL,
-            VK_IMAGE_USAGE_TRANSFER_SRC_BIT,
-            true,
-            false};
-  case Use::transfer_destination:
-    return {VK_PIPELINE_STAGE_2_COPY_BIT,
-            VK_ACCESS_2_TRANSFER_WRITE_BIT,
-            VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL,
-            VK_IMAGE_USAGE_TRANSFER_DST_BIT,
-            false,
-            true};
-  }
-  return {};
+  UseFacts facts = uses[size_t(use)];
+  if (facts.stages == of_the_shader)
+    facts.stages = kind == PassKind::compute ? VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT
+                                             : VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT;
+  if (facts.layout == for_reading && is_depth(format))
+    facts.layout = VK_IMAGE_LAYOUT_DEPTH_STENCIL_READ_ONLY_OPTIMAL;
+  return facts;
 }
 
 FramePlan cull(const FrameGraph& graph) {
   FramePlan plan;
   plan.images.resize(graph.images().size());
-  for (const ImageRef wanted : graph.wanted()) plan.images[wanted.index].live = true;
+  // Whether what an image holds at this point, going backwards, is what somebody after it sees.
+  std::vector<uint8_t> seen(plan.images.size(), 0);
+  for (const ImageRef wanted : graph.wanted()) {
+    plan.images[wanted.index].live = true;
+    seen[wanted.index] = 1;
+  }
 
   std::vector<size_t> running;
   for (size_t i = graph.passes().size(); i-- > 0;) {
     const std::vector<Touch> touches = touches_of(graph, graph.passes()[i]);
     bool runs = graph.passes()[i].root;
-    for (const Touch& touch : touches) runs |= touch.facts.writes && plan.images[touch.image.index].live;
+    for (const Touch& touch : touches) runs |= touch.facts.writes && seen[touch.image.index] != 0;
     if (!runs) continue;
     running.push_back(i);
     for (const Touch& touch : touches) {
@@ -152,6 +132,7 @@ FramePlan cull(const FrameGraph& graph) {
       image.needed = true;
       image.live |= touch.facts.reads;
       image.usage |= touch.facts.usage;
+      seen[touch.image.index] = touch.keeps || (seen[touch.image.index] != 0 && !touch.facts.writes);
     }
   }
   for (PlannedImage& image : plan.images)
@@ -175,6 +156,7 @@ void derive_barriers(const FrameGraph& graph, FramePlan& plan, std::span<const u
       if (!plan.images[index].needed) continue;
       const bool first = std::exchange(touched[index], 1) == 0;
       const bool discards = first && !graph.images()[index].holds_content;
+      assert(!(discards && touch.keeps) && "somebody wrote what is read");
       if (const auto barrier = step(states[place[index]], touch, discards))
         planned.barriers.push_back(*barrier);
     }

@@ -12,7 +12,8 @@ constexpr uint32_t nowhere = ~0u;
 VkImageUsageFlags usage_of_kept(VkFormat format) {
   constexpr VkImageUsageFlags any =
       VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT;
-  return any | (is_depth(format) ? VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT : VK_IMAGE_USAGE_STORAGE_BIT);
+  return any | (is_depth(format) ? VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT
+                                 : VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT);
 }
 
 bool same(const GpuImageDesc& a, const GpuImageDesc& b) {
@@ -41,6 +42,12 @@ void record_barriers(VkCommandBuffer commands, const std::vector<ImageBarrier>& 
   if (!all.empty()) vkCmdPipelineBarrier2(commands, &info);
 }
 
+/// Gives frame memory back however a frame ends.
+struct GivenBack {
+  FrameMemory& memory;
+  ~GivenBack() { memory.reset(); }
+};
+
 } // namespace
 
 GraphRunner::GraphRunner(Device& device, std::filesystem::path shaders)
@@ -56,6 +63,10 @@ uint32_t GraphRunner::place_for(const FrameGraph::GraphImage& image, const Plann
     return other.key == image.key && !other.taken && (!image.key.empty() || same(other.desc, desc));
   };
   while (place < pool_.size() && !fits(pool_[place])) ++place;
+  if (place == pool_.size()) { // none fits: one that was forgotten, or another one more
+    place = 0;
+    while (place < pool_.size() && pool_[place].image != nullptr) ++place;
+  }
   if (place == pool_.size()) {
     pool_.push_back({});
     states_.push_back({});
@@ -73,6 +84,7 @@ uint32_t GraphRunner::place_for(const FrameGraph::GraphImage& image, const Plann
 
 std::vector<uint32_t> GraphRunner::assign(const FrameGraph& graph, const FramePlan& plan) {
   std::vector<uint32_t> places(plan.images.size(), nowhere);
+  for (Place& place : pool_) place.taken = false;
   for (size_t pass = 0; pass < plan.passes.size(); ++pass) {
     for (size_t i = 0; i < places.size(); ++i)
       if (plan.images[i].needed && plan.images[i].first_pass == pass)
@@ -134,10 +146,10 @@ void GraphRunner::prepare_queries(size_t count) {
 }
 
 RunResult GraphRunner::run(const FrameGraph& graph) {
+  const GivenBack given_back{memory_};
   FramePlan plan = cull(graph);
   const std::vector<uint32_t> places = assign(graph, plan);
   derive_barriers(graph, plan, places, states_);
-  note_kept(graph, plan);
   prepare_queries(plan.passes.size() + 1);
   while (readbacks_.size() < graph.readbacks().size()) readbacks_.push_back(nullptr);
 
@@ -153,9 +165,9 @@ RunResult GraphRunner::run(const FrameGraph& graph) {
       vkCmdWriteTimestamp2(commands, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, queries_, uint32_t(i + 1));
     }
   });
+  note_kept(graph, plan); // only now: what was not carried out holds nothing
   RunResult result;
   collect(graph, plan, places, result);
-  memory_.reset();
   forget_unused(graph.frame());
   return result;
 }
@@ -166,16 +178,18 @@ void GraphRunner::collect(const FrameGraph& graph, const FramePlan& plan, const 
   check(vkGetQueryPoolResults(device_.handle(), queries_, 0, uint32_t(ticks.size()), ticks.size() * 8,
                               ticks.data(), 8, VK_QUERY_RESULT_64_BIT | VK_QUERY_RESULT_WAIT_BIT),
         "reading times");
+  std::vector<bool> counted(pool_.size(), false);
   for (size_t i = 0; i < plan.passes.size(); ++i) {
     PassTime time{.name = graph.passes()[plan.passes[i].pass].name,
                   .ms = double(ticks[i + 1] - ticks[i]) * device_.nanoseconds_per_tick() * 1e-6};
     for (size_t image = 0; image < places.size(); ++image)
-      if (places[image] != nowhere && plan.images[image].first_pass == i)
+      if (places[image] != nowhere && plan.images[image].first_pass == i && !counted[places[image]]) {
         time.image_bytes += pool_[places[image]].image->bytes;
+        counted[places[image]] = true;
+      }
     result.passes.push_back(std::move(time));
   }
-  for (const Place& place : pool_)
-    if (place.image != nullptr) result.image_bytes += place.image->bytes;
+  for (const PassTime& pass : result.passes) result.image_bytes += pass.image_bytes;
   for (size_t i = 0; i < graph.readbacks().size(); ++i) {
     const auto& [image, aspect] = graph.readbacks()[i];
     const ImageDesc& desc = graph.desc(image);

@@ -20,7 +20,7 @@ struct PassTime {
 struct RunResult {
   std::vector<PassTime> passes;
   std::vector<std::vector<std::byte>> readbacks; // in the order they were asked for, rows without padding
-  uint64_t image_bytes = 0;                      // all images that exist in this frame
+  uint64_t image_bytes = 0;                      // all images that this frame touches
 };
 
 class GraphRunner {
@@ -34,7 +34,7 @@ public:
 
 private:
   friend class PassCommands;
-  /// An image in the pool; `graph_key` is that of a kept image.
+  /// An image in the pool; `key` is that of a kept image, else empty.
   struct Place {
     GpuImageDesc desc;
     std::string key;

@@ -1,6 +1,7 @@
 #include "renderer/gpu/image.h"
 
 #include <algorithm>
+#include <cassert>
 
 namespace unghost {
 namespace {
@@ -32,13 +33,20 @@ uint32_t texel_bytes(VkFormat format, VkImageAspectFlags aspect) {
   case VK_FORMAT_R8_UNORM:
   case VK_FORMAT_R8_UINT:
     return 1;
+  case VK_FORMAT_R8G8B8A8_UNORM:
+  case VK_FORMAT_R32_SFLOAT:
+  case VK_FORMAT_R32_UINT:
+  case VK_FORMAT_D32_SFLOAT:
+  case VK_FORMAT_D32_SFLOAT_S8_UINT:
+    return 4;
   case VK_FORMAT_R16G16B16A16_SFLOAT:
   case VK_FORMAT_R32G32_SFLOAT:
     return 8;
   case VK_FORMAT_R32G32B32A32_SFLOAT:
     return 16;
   default:
-    return 4;
+    assert(false && "a format that nobody reads back");
+    return 0;
   }
 }
 

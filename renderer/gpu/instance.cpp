@@ -39,10 +39,37 @@ std::string version_text(uint32_t version) {
          "." + std::to_string(VK_API_VERSION_PATCH(version));
 }
 
+constexpr uint32_t most_attachments = 6; // of the G-buffer
+
+/// Those of the frame's formats that Vulkan does not promise for what they are used as.
+std::string missing_format(VkPhysicalDevice physical) {
+  struct Needed {
+    VkFormat format;
+    VkFormatFeatureFlags features;
+    const char* name;
+  };
+  constexpr VkFormatFeatureFlags drawn_and_read =
+      VK_FORMAT_FEATURE_COLOR_ATTACHMENT_BIT | VK_FORMAT_FEATURE_SAMPLED_IMAGE_BIT;
+  for (const Needed& needed :
+       {Needed{VK_FORMAT_B10G11R11_UFLOAT_PACK32, drawn_and_read, "drawing to B10G11R11"},
+        Needed{VK_FORMAT_R16G16_SNORM, drawn_and_read, "drawing to R16G16_SNORM"},
+        Needed{VK_FORMAT_D32_SFLOAT_S8_UINT, VK_FORMAT_FEATURE_DEPTH_STENCIL_ATTACHMENT_BIT,
+               "D32_SFLOAT_S8"}}) {
+    VkFormatProperties properties{};
+    vkGetPhysicalDeviceFormatProperties(physical, needed.format, &properties);
+    if ((properties.optimalTilingFeatures & needed.features) != needed.features) return needed.name;
+  }
+  return {};
+}
+
 std::string missing_of(VkPhysicalDevice physical, uint32_t api_version) {
   if (api_version < VK_API_VERSION_1_3) return "Vulkan 1.3";
-  if (queue_family(physical) < 0) return "a queue for graphics and compute";
+  if (queue_family(physical) < 0) return "a queue for graphics and compute with timestamps";
   if (!has_extension(physical, VK_KHR_PUSH_DESCRIPTOR_EXTENSION_NAME)) return "VK_KHR_push_descriptor";
+  if (const std::string format = missing_format(physical); !format.empty()) return format;
+  VkPhysicalDeviceProperties properties{};
+  vkGetPhysicalDeviceProperties(physical, &properties);
+  if (properties.limits.maxColorAttachments < most_attachments) return "six colour attachments";
   Features features;
   vkGetPhysicalDeviceFeatures2(physical, &features.core);
   for (const NeededFeature& feature : needed_features())
@@ -128,7 +155,7 @@ int queue_family(VkPhysicalDevice physical) {
   vkGetPhysicalDeviceQueueFamilyProperties(physical, &count, families.data());
   constexpr VkQueueFlags both = VK_QUEUE_GRAPHICS_BIT | VK_QUEUE_COMPUTE_BIT;
   for (uint32_t i = 0; i < count; ++i)
-    if ((families[i].queueFlags & both) == both) return int(i);
+    if ((families[i].queueFlags & both) == both && families[i].timestampValidBits > 0) return int(i);
   return -1;
 }
 

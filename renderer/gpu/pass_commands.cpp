@@ -105,8 +105,7 @@ void PassCommands::begin_rendering() {
       info.imageView = image->view;
       info.imageLayout = facts_of(attachment.use, pass_.kind, desc.format).layout;
       info.loadOp = attachment.clear ? VK_ATTACHMENT_LOAD_OP_CLEAR : VK_ATTACHMENT_LOAD_OP_LOAD;
-      info.storeOp =
-          attachment.use == Use::depth_test ? VK_ATTACHMENT_STORE_OP_NONE : VK_ATTACHMENT_STORE_OP_STORE;
+      info.storeOp = VK_ATTACHMENT_STORE_OP_STORE;
       if (attachment.clear) info.clearValue = *attachment.clear;
     }
     if (is_depth(desc.format)) {

@@ -20,7 +20,7 @@ struct GraphicsDesc {
   std::vector<uint32_t> constants; // constant_id 0, 1, ... of both stages
   std::vector<VkFormat> colours;   // VK_FORMAT_UNDEFINED: this attachment is left out
   VkFormat depth = VK_FORMAT_UNDEFINED;
-  bool writes_depth = true, writes_stencil = false, blends = false;
+  bool writes_stencil = false;
   VkCompareOp compare = VK_COMPARE_OP_GREATER_OR_EQUAL;
   float depth_bias = 0, depth_bias_slope = 0;
   VkVertexInputBindingDescription vertex_binding{};
@@ -38,7 +38,6 @@ public:
                      VkPipelineLayout layout);
   /// Cull mode, front face, viewport, scissor and stencil reference are dynamic.
   VkPipeline graphics(const GraphicsDesc& desc, VkPipelineLayout layout);
-  size_t count() const { return pipelines_.size(); }
 
 private:
   struct Layout {

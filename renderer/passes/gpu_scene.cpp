@@ -85,7 +85,6 @@ GpuScene::GpuScene(Device& device, const Scene& scene)
                        .bounds = primitive.bounds});
       traits.tagged |= node.tag != 0;
       traits.emissive |= shines(material);
-      traits.blended |= draws.back().blended;
     }
     object_nodes.push_back(int(n));
   }

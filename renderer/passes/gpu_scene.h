@@ -20,7 +20,7 @@ struct Draw {
 
 /// What the scene has at all, found once when it is loaded: a list that is empty is never looped over.
 struct SceneTraits {
-  bool tagged = false, emissive = false, blended = false;
+  bool tagged = false, emissive = false;
 };
 
 struct GpuScene {

@@ -51,7 +51,7 @@ struct Lit {
 
 struct Resolved {
   ImageRef colour; // RGBA16F, linear
-  ImageRef why;    // RGBA8: weight of the current frame, rectified, tag rejected, near and moving
+  ImageRef why;    // RGBA8: weight of the current frame, rectified, tag rejected, near and moving; or none
 };
 
 struct TaaInputs {

@@ -6,8 +6,7 @@ namespace unghost {
 Resolved resolve_taa(FrameGraph& graph, const FrameContext& in, const TaaInputs& inputs, size_t place) {
   const TaaSettings& taa = in.input.modes[place].taa;
   const TaaPolicy& policy = taa.policy;
-  if (!policy.needs_history())
-    return {.colour = inputs.colour, .why = graph.neutral(VK_FORMAT_R8G8B8A8_UNORM)};
+  if (!policy.needs_history()) return {.colour = inputs.colour, .why = {}};
 
   const std::string key = "history " + std::to_string(place);
   const bool reset = in.input.cut || in.policy_changed[place];
@@ -22,7 +21,8 @@ Resolved resolve_taa(FrameGraph& graph, const FrameContext& in, const TaaInputs&
   const TaaPush push{.alpha = taa.alpha,
                      .motion_threshold_px = taa.motion_threshold_px,
                      .near_m = taa.near_m,
-                     .far_m = taa.far_m};
+                     .far_m = taa.far_m,
+                     .frame = uint32_t(in.input.index)};
   const auto bytes = std::as_bytes(std::span(&push, 1));
   // Without a history the frame is taken as it is: nothing is made for questions that nobody asks.
   const bool has_history = colour.valid && (!keeps_tags || tags.valid);

@@ -29,6 +29,7 @@ struct TaaPush {
   float alpha;
   float motion_threshold_px;
   float near_m, far_m;
+  uint frame; // seeds the rounding
 };
 
 SHARED_END

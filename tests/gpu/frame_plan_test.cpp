@@ -90,6 +90,15 @@ TEST(FramePlan, DropsAttachmentsThatNobodyReads) {
   for (const ImageBarrier& barrier : plan.passes[0].barriers) EXPECT_NE(barrier.image, object);
 }
 
+TEST(FramePlan, WhatIsOverwrittenUnseenIsNotMade) {
+  Declared d;
+  const ImageRef a = d.image("a");
+  d.compute("unseen", {}, {a});
+  d.compute("seen", {}, {a});
+  d.graph.want(a);
+  EXPECT_EQ(d.running(), Names{"seen"});
+}
+
 TEST(FramePlan, ReadBacksAreRoots) {
   Declared d;
   const ImageRef a = d.image("a");

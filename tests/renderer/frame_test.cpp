@@ -1,5 +1,6 @@
 // What a frame is made of: what nobody asks for is not drawn, and one geometry feeds many resolves.
 #include <algorithm>
+#include <tuple>
 
 #include "tests/renderer/studio.h"
 
@@ -51,6 +52,47 @@ TEST_F(Frame, ShadowsOfWhatRestsAreDrawnOnce) {
   EXPECT_EQ(count(still, "shadows of what rests"), 0);
   EXPECT_EQ(count(still, "shadows of what moves"), 0);
   EXPECT_EQ(count(passes("pass", {run_of("blend")}, {Output::display}), "shadows of what moves"), 1);
+}
+
+TEST_F(Frame, OneShadowMapServesEveryJitter) {
+  const std::vector<std::string> names =
+      passes("pass", {run_of("off"), run_of("blend")}, {Output::display, 0});
+  EXPECT_EQ(count(names, "g-buffer"), 2);
+  EXPECT_EQ(count(names, "shadows of what moves"), 1);
+}
+
+TEST_F(Frame, ShadowsFollowWhatRestsElsewhereAfterACut) {
+  const auto frozen = [&](int instant) {
+    FrameInput input = studio->frame("pass", instant, {run_of("off")}, {{Output::sun_visibility}});
+    input.before = input.now;
+    input.cut = true;
+    return input;
+  };
+  studio->renderer.render(frozen(12));
+  const FrameResult after = studio->renderer.render(frozen(30));
+  Renderer fresh(studio->device, studio->data.shaders, studio->staged.scene);
+  EXPECT_EQ(after.delivered[0].image.values, fresh.render(frozen(30)).delivered[0].image.values);
+}
+
+TEST_F(Frame, AnySizeAndAnotherOneEveryFrame) {
+  constexpr std::pair<uint32_t, uint32_t> sizes[] = {{1, 1}, {1, 720}, {4097, 3}, {37, 23}, {1, 1}, {64, 36}};
+  for (int frame = 0; frame < int(std::size(sizes)); ++frame) {
+    FrameInput input = studio->frame("drive", frame, {run_of("grand-tour")}, {{Output::display}});
+    std::tie(input.width, input.height) = sizes[frame];
+    EXPECT_EQ(studio->renderer.render(input).delivered[0].picture.rgba.size(),
+              size_t(input.width) * input.height * 4);
+  }
+}
+
+TEST_F(Frame, AnEmptySceneIsASky) {
+  Scene empty;
+  empty.materials.push_back({});
+  Renderer renderer(studio->device, studio->data.shaders, empty);
+  const FrameInput input =
+      studio->frame("still", 0, {run_of("grand-tour")}, {{Output::object}, {Output::lit}});
+  const FrameResult result = renderer.render(input);
+  for (const float id : result.delivered[0].image.values) ASSERT_EQ(id, 0.0f);
+  for (const float value : result.delivered[1].image.values) ASSERT_GT(value, 0.0f);
 }
 
 TEST_F(Frame, ComparedModesAreThoseDrawnAlone) {

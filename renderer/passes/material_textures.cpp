@@ -1,74 +1,18 @@
 #include "renderer/passes/material_textures.h"
 
-#include <algorithm>
-#include <bit>
+#include "renderer/gpu/texture.h"
 
 namespace unghost {
 namespace {
 
 constexpr uint32_t srgb_textures = HAS_BASE_COLOUR | HAS_EMISSIVE;
-constexpr VkImageUsageFlags texture_usage =
-    VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT;
-
-void move_mip(VkCommandBuffer commands, VkImage image, uint32_t mip, VkImageLayout from, VkImageLayout to) {
-  const VkImageMemoryBarrier2 barrier{
-      .sType = VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER_2,
-      .srcStageMask = VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT,
-      .srcAccessMask = VK_ACCESS_2_TRANSFER_WRITE_BIT,
-      .dstStageMask = VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT | VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT,
-      .dstAccessMask = VK_ACCESS_2_TRANSFER_READ_BIT | VK_ACCESS_2_TRANSFER_WRITE_BIT |
-                       VK_ACCESS_2_SHADER_SAMPLED_READ_BIT,
-      .oldLayout = from,
-      .newLayout = to,
-      .image = image,
-      .subresourceRange = {VK_IMAGE_ASPECT_COLOR_BIT, mip, 1, 0, 1}};
-  const VkDependencyInfo info{.sType = VK_STRUCTURE_TYPE_DEPENDENCY_INFO,
-                              .imageMemoryBarrierCount = 1,
-                              .pImageMemoryBarriers = &barrier};
-  vkCmdPipelineBarrier2(commands, &info);
-}
-
-VkOffset3D corner(const Image& image, uint32_t mip) {
-  return {int32_t(std::max(image.width >> mip, 1u)), int32_t(std::max(image.height >> mip, 1u)), 1};
-}
-
-/// Mip 0 comes from `pixels`; each further one is half of the one before.
-void fill_mips(VkCommandBuffer commands, const GpuImage& target, const Image& source, uint32_t mips,
-               VkBuffer pixels) {
-  for (uint32_t mip = 0; mip < mips; ++mip) {
-    move_mip(commands, target.image, mip, VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL);
-    if (mip == 0) {
-      const VkBufferImageCopy copy{.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1},
-                                   .imageExtent = {source.width, source.height, 1}};
-      vkCmdCopyBufferToImage(commands, pixels, target.image, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &copy);
-    } else {
-      const VkImageBlit blit{.srcSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, mip - 1, 0, 1},
-                             .srcOffsets = {{0, 0, 0}, corner(source, mip - 1)},
-                             .dstSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, mip, 0, 1},
-                             .dstOffsets = {{0, 0, 0}, corner(source, mip)}};
-      vkCmdBlitImage(commands, target.image, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, target.image,
-                     VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &blit, VK_FILTER_LINEAR);
-    }
-    move_mip(commands, target.image, mip, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL,
-             VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL);
-  }
-  for (uint32_t mip = 0; mip < mips; ++mip)
-    move_mip(commands, target.image, mip, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL,
-             VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
-}
-
 std::unique_ptr<GpuImage> upload(Device& device, const Image& source, bool srgb) {
-  const uint32_t mips = uint32_t(std::bit_width(std::max(source.width, source.height)));
-  auto target = std::make_unique<GpuImage>(
-      device, GpuImageDesc{.name = source.name,
-                           .format = srgb ? VK_FORMAT_R8G8B8A8_SRGB : VK_FORMAT_R8G8B8A8_UNORM,
-                           .extent = {source.width, source.height},
-                           .mips = mips,
-                           .usage = texture_usage});
-  const GpuBuffer pixels(device, source.rgba.size(), VK_BUFFER_USAGE_TRANSFER_SRC_BIT);
-  std::memcpy(pixels.bytes().data(), source.rgba.data(), source.rgba.size());
-  device.run([&](VkCommandBuffer commands) { fill_mips(commands, *target, source, mips, pixels.buffer); });
-  return target;
+  return std::make_unique<GpuImage>(
+      upload_texture(device,
+                     {.name = source.name,
+                      .format = srgb ? VK_FORMAT_R8G8B8A8_SRGB : VK_FORMAT_R8G8B8A8_UNORM,
+                      .extent = {source.width, source.height}},
+                     std::as_bytes(std::span(source.rgba))));
 }
 
 VkSamplerAddressMode address(Wrap wrap) {

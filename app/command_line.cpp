@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 
 #include "app/commands.h"
+#include "app/paths.h"
 #include "renderer/spelling.h"
 
 namespace unghost {
@@ -28,7 +29,7 @@ void add_device(CLI::App& app, CommandLine& line) {
 }
 
 void add_drawing(CLI::App& app, CommandLine& line) {
-  app.add_option("SCENE", line.scene, "A glTF file, or asphalt (the default)");
+  app.add_option("SCENE", line.scene, "A glTF file, or " + std::string(own_scene) + " (the default)");
   app.add_option("--set", line.assignments, "name=value, of any setting; may be repeated")
       ->allow_extra_args(false);
   app.add_option("--view", line.view, "What is drawn in place of the picture");
@@ -57,7 +58,7 @@ void add_options(CLI::App& app, const CommandRow& row, CommandLine& line) {
   if (row.options & device) add_device(app, line);
   if (row.options & one_mode) app.add_option("--mode", line.mode, "Which temporal resolve");
   if (row.options & many_modes)
-    app.add_option("--modes", line.modes, "Names with commas between them")
+    app.add_option("--modes", line.modes, "Names with commas between them, or all")
         ->delimiter(',')
         ->allow_extra_args(false);
   if (row.options & picture) app.add_option("-o,--output", line.output, "The picture; - is standard output");

@@ -10,6 +10,8 @@
 #include <variant>
 #include <vector>
 
+#include "renderer/frame_input.h"
+
 namespace unghost {
 
 struct CommandRow;
@@ -17,7 +19,7 @@ struct CommandRow;
 constexpr uint32_t most_frames = 1'000'000, longest_side = 16384;
 
 struct PictureSize {
-  uint32_t width = 1280, height = 720;
+  uint32_t width = FrameInput{}.width, height = FrameInput{}.height;
 };
 
 /// What was given; what was not is empty, and gets its default from the command.

@@ -47,7 +47,7 @@ FrameInput frame_input(const Shot& shot, const RigContext& context, std::span<co
 Headless::Headless(const CommandLine& line, const Shot& shot, Console& console)
     : line_(line), shot_(shot), console_(console) {
   const DataFolders folders = find_data_folders();
-  Staged staged = build_stage(scene_file(shot.scene, folders.assets), scene_file("asphalt", folders.assets),
+  Staged staged = build_stage(scene_file(shot.scene, folders.assets), scene_file(own_scene, folders.assets),
                               shot.settings.stage);
   context_ = {.seed = shot.seed,
               .track_radius = staged.track_radius,
@@ -97,24 +97,26 @@ void Headless::show_progress(uint32_t done) const {
 }
 
 void Headless::note_passes(const FrameResult& result) {
+  std::map<std::string, PassReport> of_frame;
   for (const PassReport& pass : result.passes) {
-    std::vector<PassReport>& reports = pass_reports_[pass.name];
-    if (reports.empty()) pass_order_.push_back(pass.name);
-    reports.push_back(pass);
+    if (!pass_records_.contains(pass.name) && !of_frame.contains(pass.name)) pass_order_.push_back(pass.name);
+    PassReport& sum = of_frame[pass.name];
+    sum.ms += pass.ms, sum.image_bytes += pass.image_bytes;
+  }
+  for (const auto& [name, sum] : of_frame) {
+    PassRecord& record = pass_records_[name];
+    ++record.frames;
+    if (sum.ms > 0) record.ms.push_back(sum.ms);
+    record.image_bytes = std::max(record.image_bytes, sum.image_bytes);
   }
 }
 
 std::vector<PassSummary> Headless::passes() const {
   std::vector<PassSummary> summaries;
   for (const std::string& name : pass_order_) {
-    PassSummary& summary = summaries.emplace_back(PassSummary{.name = name});
-    std::vector<double> times;
-    summary.frames = pass_reports_.at(name).size();
-    for (const PassReport& report : pass_reports_.at(name)) {
-      if (report.ms > 0) times.push_back(report.ms);
-      summary.image_bytes = std::max(summary.image_bytes, report.image_bytes);
-    }
-    summary.ms = median(std::move(times));
+    const PassRecord& record = pass_records_.at(name);
+    summaries.push_back(
+        {.name = name, .frames = record.frames, .ms = median(record.ms), .image_bytes = record.image_bytes});
   }
   return summaries;
 }

@@ -22,7 +22,8 @@ namespace unghost {
 FrameInput frame_input(const Shot& shot, const RigContext& context, std::span<const ModeRun> modes,
                        uint32_t index);
 
-/// A pass over all frames: how many had it, the median of its times there in ms, and the bytes of its images.
+/// A pass over all frames: how many had it, the median of its times there in ms, and the most bytes that its
+/// images had. A frame that has it once a geometry or a mode counts once, with the sum.
 struct PassSummary {
   std::string name;
   size_t frames = 0;
@@ -51,6 +52,13 @@ public:
 
 private:
   void say_banner() const;
+  /// What is kept of a pass: a number a frame.
+  struct PassRecord {
+    size_t frames = 0;
+    std::vector<double> ms; // of the frames that were timed
+    uint64_t image_bytes = 0;
+  };
+
   void note_passes(const FrameResult& result);
   void show_progress(uint32_t done) const;
 
@@ -61,7 +69,7 @@ private:
   std::unique_ptr<Device> device_;
   std::unique_ptr<Renderer> renderer_;
   std::vector<std::string> pass_order_;
-  std::map<std::string, std::vector<PassReport>> pass_reports_;
+  std::map<std::string, PassRecord> pass_records_;
 };
 
 /// What came of the first Wanted of that kind and mode. It must have been wanted.

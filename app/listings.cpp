@@ -66,6 +66,35 @@ std::string fate_of(const DeviceFacts& facts) {
   return facts.software ? "usable, software: its times are not a GPU's" : "usable";
 }
 
+// No default: a view without a sentence is a warning.
+std::string_view summary_of(View view) {
+  switch (view) {
+  case View::colour:
+    return "The finished picture.";
+  case View::albedo:
+    return "The base colour of each surface, without light.";
+  case View::normal:
+    return "The direction that each surface faces: red x, green y, blue z.";
+  case View::depth:
+    return "Distance on a logarithmic scale: white near, black far.";
+  case View::motion:
+    return "Where each pixel moves (hue and arrows) and how far (strength).";
+  case View::tag:
+    return "Each vehicle tag in a colour of its own, the untagged in grey.";
+  case View::shadow:
+    return "How much of the sun each pixel sees: white all of it.";
+  case View::weight:
+    return "The weight of the current frame: white where no history is used.";
+  case View::rectified:
+    return "Red where the history was bounded by its neighbourhood.";
+  case View::tag_rejected:
+    return "Red where the history was given up because the tag differs from last frame's.";
+  case View::near_moving:
+    return "Red where the history was faded because the pixel is near, moving and untagged.";
+  }
+  return {};
+}
+
 } // namespace
 
 void list_modes(const CommandLine& line, Console& console) {
@@ -94,10 +123,11 @@ void list_rigs(const CommandLine& line, Console& console) {
 
 void list_views(const CommandLine& line, Console& console) {
   json list = json::array();
-  Table table{{"view"}};
+  Table table{{"view", "summary"}};
   for (const Answer& view : answers<View>()) {
-    list.push_back({{"name", view.name}});
-    table.add({view.name});
+    const std::string summary(summary_of(View(view.value)));
+    list.push_back({{"name", view.name}, {"summary", summary}});
+    table.add({view.name, summary});
   }
   print(line, console, {{"views", list}}, table);
 }

@@ -27,8 +27,7 @@ void check_words(const CommandLine& line, const Shot& shot) {
                      " frames that fill the history, so measuring wants more than those");
 }
 
-// Aliased and accumulated first, then the modes, all without jitter, so that one set of geometry serves them
-// all.
+// Aliased and accumulated first, then the modes; without jitter, as all of a measurement.
 std::vector<ModeRun> runs_of(const Shot& shot) {
   ModeRun aliased{.name = "aliased", .taa = {}};
   ModeRun accumulated{.name = "accumulated", .taa = {}};
@@ -36,7 +35,6 @@ std::vector<ModeRun> runs_of(const Shot& shot) {
       .history = HistoryFilter::catmull_rom, .reject = Reject::off_screen, .blend = Blend::constant};
   std::vector<ModeRun> runs = {aliased, accumulated};
   runs.insert(runs.end(), shot.modes.begin(), shot.modes.end());
-  for (ModeRun& run : runs) run.taa.policy.jitter = Jitter::none;
   return runs;
 }
 

@@ -22,14 +22,16 @@ struct Place {
 
 /// Everything in pixels.
 struct Layout {
-  uint32_t columns = 1, rows = 1;
+  uint32_t count = 1, columns = 1, rows = 1;
   uint32_t border = 0; // around and between cells
   uint32_t cell_width = 0, cell_height = 0;
   uint32_t text_scale = 1;
 
+  // A last row that is not full stands in the middle.
   Place cell(size_t index) const {
     const uint32_t column = uint32_t(index) % columns, row = uint32_t(index) / columns;
-    return {border + column * (cell_width + border), border + row * (cell_height + border)};
+    const uint32_t empty = row + 1 == rows ? columns * rows - count : 0, step = cell_width + border;
+    return {border + column * step + empty * step / 2, border + row * (cell_height + border)};
   }
 };
 
@@ -49,6 +51,7 @@ uint32_t best_columns(size_t count, double cell_aspect) {
 
 Layout layout_of(size_t count, const Image& first, bool with_crops) {
   Layout layout;
+  layout.count = uint32_t(count);
   layout.text_scale = std::max(1u, first.height / 270);
   layout.border = 4 * layout.text_scale;
   layout.cell_width = first.width;

@@ -9,8 +9,6 @@ namespace {
 
 using glm::dmat4, glm::dvec3, glm::dvec4, glm::radians;
 
-// The car that the rigs are laid out for, in metres; what is larger or smaller moves the camera with it.
-constexpr dvec3 usual_size{1.85, 1.4, 4.4};
 constexpr double road_centre_m =
     1.8; // left of the path: the road reaches from 2.2 m right of it to 5.8 m left
 
@@ -41,13 +39,13 @@ Variation variation_of(const RigContext& context) {
 
 Bounds bounds_of(const RigContext& context) {
   if (!context.vehicle.empty()) return context.vehicle;
-  const glm::vec3 half = glm::vec3(usual_size) / 2.0f;
+  const glm::vec3 half = glm::vec3(usual_car_m) / 2.0f;
   return {.low = {-half.x, 0, -half.z}, .high = {half.x, 2 * half.y, half.z}};
 }
 
 // How much larger than the usual car it is.
 double scale_of(const Bounds& bounds) {
-  const dvec3 ratio = dvec3(bounds.high - bounds.low) / usual_size;
+  const dvec3 ratio = dvec3(bounds.high - bounds.low) / usual_car_m;
   return std::max({ratio.x, ratio.y, ratio.z});
 }
 
@@ -68,7 +66,7 @@ struct Pose {
   dmat4 camera_frame{1}; // in which eye and target are given
   dvec3 eye{0}, target{0};
   double roll = 0;
-  double vertical_fov = 0.8;
+  double vertical_fov = Instant{}.vertical_fov;
   double sun_azimuth_deg = 0; // from the path's direction at the start, towards the camera's side
 };
 
@@ -161,15 +159,16 @@ Instant pass(const RigContext& context, double time_s) {
   const double lane_m = side > 0 ? 0.0 : 1.9;     // the lane further from the camera
   const double camera_m = side > 0 ? 10.4 : -5.5; // in front of the guard rails, 11 m left and 6 m right
   const double distance_m = std::min(7.5 * scale, std::abs(camera_m - lane_m));
-  return instant_of(context, variation,
-                    {.vehicle = frame_on_path(context, variation.start_m + along_m, lane_m),
-                     .travelled_m = along_m,
-                     .camera_frame = frame_on_path(context, variation.start_m, lane_m),
-                     .eye = {side * distance_m, 1.5 * scale, 0},
-                     .target = {0, 0.8 * scale, 0},
-                     .vertical_fov = 2 * std::atan(std::tan(0.4) * 7.5 * scale / distance_m),
-                     .sun_azimuth_deg = -95},
-                    time_s);
+  return instant_of(
+      context, variation,
+      {.vehicle = frame_on_path(context, variation.start_m + along_m, lane_m),
+       .travelled_m = along_m,
+       .camera_frame = frame_on_path(context, variation.start_m, lane_m),
+       .eye = {side * distance_m, 1.5 * scale, 0},
+       .target = {0, 0.8 * scale, 0},
+       .vertical_fov = 2 * std::atan(std::tan(Instant{}.vertical_fov / 2) * 7.5 * scale / distance_m),
+       .sun_azimuth_deg = -95},
+      time_s);
 }
 
 Instant overhead(const RigContext& context, double time_s) {

@@ -8,6 +8,10 @@
 
 namespace unghost {
 
+/// Width, height and length of the car that the rigs are laid out for, in metres; what is larger or smaller
+/// moves the camera with it.
+constexpr glm::dvec3 usual_car_m{1.85, 1.4, 4.4};
+
 /// What a rig is fitted to. Lengths in metres.
 struct RigContext {
   uint64_t seed = 1;         // 1: as designed; others move start, side, sun and speed a little

@@ -64,7 +64,9 @@ int run(std::span<const char* const> words, std::ostream& out, std::ostream& err
     return int(exit);
   };
   try {
-    return int(run_words(words, out, err, terminal));
+    const Exit exit = run_words(words, out, err, terminal);
+    if (!out.flush()) throw Failure(Exit::failed, "cannot write to standard output");
+    return int(exit);
   } catch (const Interrupted& interrupted) {
     return 128 + interrupted.signal;
   } catch (const Failure& failure) {

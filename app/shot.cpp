@@ -17,6 +17,7 @@ namespace {
 using nlohmann::json;
 
 constexpr size_t settings_file_limit = 256 << 20;
+constexpr std::string_view all_modes = "all"; // a word of --modes
 constexpr const char* default_mode = "grand-tour";
 // The ghost itself, and the two steps by which the article gets rid of it.
 const std::vector<std::string> default_comparison = {"off", "blend", "uncharted", "grand-tour"};
@@ -53,20 +54,21 @@ json parse_settings_file(const std::filesystem::path& path) {
   return parsed;
 }
 
-void read_modes(const json& file, Shot& shot, const CommandRow& command) {
+// Those that a picture shows: one of its own, or the columns of a comparison.
+std::vector<ModeRun> modes_of(const json& file, const Settings& settings) {
   std::vector<ModeRun> runs;
+  if (file.contains("mode"))
+    runs.push_back({.name = file.at("mode").get<std::string>(), .taa = settings.taa});
   for (const json& entry : file.value("modes", json::array())) {
-    Settings settings;
-    apply_settings_json(settings, entry.at("settings"));
-    runs.push_back({.name = entry.at("name").get<std::string>(), .taa = settings.taa});
+    Settings own;
+    apply_settings_json(own, entry.at("settings"));
+    runs.push_back({.name = entry.at("name").get<std::string>(), .taa = own.taa});
   }
-  if ((command.options & many_modes) && !runs.empty()) shot.modes = runs;
-  if ((command.options & one_mode) && file.contains("mode"))
-    shot.modes = {{.name = file.at("mode").get<std::string>(), .taa = shot.settings.taa}};
+  return runs;
 }
 
-// What a picture carries.
-void apply_shot(const json& file, Shot& shot, const CommandRow& command) {
+// What a picture carries, but for its modes.
+void apply_shot(const json& file, Shot& shot) {
   apply_settings_json(shot.settings, file.at("settings"));
   shot.scene = file.value("scene", shot.scene);
   shot.rig = file.value("rig", shot.rig);
@@ -76,18 +78,6 @@ void apply_shot(const json& file, Shot& shot, const CommandRow& command) {
   if (shot.frames - 1 >= most_frames)
     throw SettingError("frames are from 1 to " + std::to_string(most_frames));
   if (file.contains("size")) shot.size = picture_size(file.at("size").get<std::string>());
-  read_modes(file, shot, command);
-}
-
-// Names and values, for every mode.
-void apply_plain_settings(const json& file, Shot& shot) {
-  apply_settings_json(shot.settings, file);
-  for (ModeRun& run : shot.modes) {
-    Settings settings = settings_of(run);
-    for (const auto& [name, value] : file.items())
-      if (find_setting(name).per_mode) apply_settings_json(settings, {{name, value}});
-    run.taa = settings.taa;
-  }
 }
 
 void apply_words(const CommandLine& line, Shot& shot) {
@@ -97,53 +87,135 @@ void apply_words(const CommandLine& line, Shot& shot) {
   if (line.size) shot.size = *line.size;
   if (line.frames) shot.frames = *line.frames;
   if (line.crops) shot.crops = *line.crops;
-  if (line.mode) shot.modes = {mode_run(*line.mode)};
-  if (line.modes.empty()) return;
-  shot.modes.clear();
-  for (const std::string& name : line.modes) shot.modes.push_back(mode_run(name));
 }
 
-// `words` are applied between a shot of the file, which they win over, and plain settings, which need the
-// modes.
-void apply_file_and_words(const CommandLine& line, Shot& shot) {
-  if (line.settings.empty()) return apply_words(line, shot);
-  const json file = parse_settings_file(line.settings);
-  const bool is_shot = file.contains("settings");
-  const auto from_file = [&](auto&& apply) {
+/// The names that the words give, `all` being every row.
+std::vector<std::string> named_modes(const CommandLine& line) {
+  if (line.mode) return {*line.mode};
+  std::vector<std::string> names;
+  for (const std::string& name : line.modes)
+    if (name == all_modes)
+      for (const TaaMode& row : taa_modes()) names.emplace_back(row.name);
+    else
+      names.push_back(name);
+  return names;
+}
+
+// A picture of one mode is no comparison, and which of several a capture means is not guessed.
+void check_choice(const CommandLine& line, const std::vector<ModeRun>& of_file, bool comparison) {
+  std::string shown;
+  for (const ModeRun& run : of_file) shown += (shown.empty() ? "" : ", ") + run.name;
+  const std::string file = line.settings.string();
+  if (line.command->options & many_modes) {
+    if (line.modes.empty() && !of_file.empty() && !comparison)
+      throw SettingError(file + " shows one mode, " + shown +
+                         ": --modes says which to set beside one another");
+  } else if (of_file.size() > 1) {
+    if (!line.mode) throw SettingError(file + " shows " + shown + ": --mode picks one of them");
+    if (std::ranges::count(of_file, *line.mode, &ModeRun::name) == 0)
+      throw SettingError(file + " shows " + shown + ", and no '" + *line.mode + "'");
+  }
+}
+
+// A mode that the words name is as the file has it, where it does.
+void choose_modes(const CommandLine& line, const std::vector<ModeRun>& of_file, Shot& shot) {
+  const std::vector<std::string> names = named_modes(line);
+  if (names.empty() && !of_file.empty()) shot.modes = of_file;
+  if (names.empty()) return;
+  shot.modes.clear();
+  for (const std::string& name : names) {
+    const auto found = std::ranges::find(of_file, name, &ModeRun::name);
+    shot.modes.push_back(found == of_file.end() ? mode_run(name) : *found);
+  }
+}
+
+/// One setting that was asked for, by --set or by a settings file.
+struct Assignment {
+  std::string text; // name=value
+  bool of_file = false;
+
+  const Setting& row() const { return find_setting(text.substr(0, text.find('='))); }
+};
+
+std::vector<Assignment> assignments_in(const json& file) {
+  std::vector<Assignment> assignments;
+  Settings settings;
+  apply_settings_json(settings, file);
+  for (const auto& [name, value] : file.items())
+    assignments.push_back({.text = name + "=" + find_setting(name).get(settings), .of_file = true});
+  return assignments;
+}
+
+/// Fills `shot` from the settings file and the words, which win over it. Returns the settings that remain to
+/// be applied: those of a file of nothing but settings.
+std::vector<Assignment> apply_file_and_words(const CommandLine& line, Shot& shot) {
+  std::vector<Assignment> plain;
+  std::vector<ModeRun> of_file;
+  bool comparison = false;
+  if (!line.settings.empty()) {
+    const json file = parse_settings_file(line.settings);
     try {
-      apply();
+      if (file.contains("settings")) {
+        apply_shot(file, shot);
+        of_file = modes_of(file, shot.settings);
+        comparison = file.contains("modes");
+      } else {
+        plain = assignments_in(file);
+      }
     } catch (const std::exception& error) { // a setting, a size or a type in it is wrong
       throw Failure(Exit::input_refused, line.settings.string() + ": " + error.what());
     }
-  };
-  if (is_shot) from_file([&] { apply_shot(file, shot, *line.command); });
+  }
   apply_words(line, shot);
-  if (!is_shot) from_file([&] { apply_plain_settings(file, shot); });
+  check_choice(line, of_file, comparison);
+  choose_modes(line, of_file, shot);
+  return plain;
+}
+
+[[noreturn]] void refuse(const CommandLine& line, bool of_file, const std::string& sentence) {
+  if (of_file) throw Failure(Exit::input_refused, line.settings.string() + ": " + sentence);
+  throw SettingError(sentence);
+}
+
+// Those of a mode keep their value where the mode does not read them; one that none reads is refused.
+void keep_what_is_used(const CommandLine& line, const Shot& shot, const Assignment& assignment,
+                       std::vector<Settings>& asked) {
+  const Setting& row = assignment.row();
+  bool used = false;
+  for (size_t i = 0; i < asked.size(); ++i)
+    if (!row.used.holds || row.used.holds(asked[i]))
+      used = true;
+    else if (row.per_mode)
+      row.write(asked[i], row.read(settings_of(shot.modes[i])));
+  if (!used)
+    refuse(line, assignment.of_file, assignment.text + " has no effect: " + std::string(row.used.otherwise));
 }
 
 // An assignment reaches the modes that it has an effect on, and is refused where it has one on none.
-void apply_assignments(const CommandLine& line, Shot& shot) {
-  for (const std::string& assignment : line.assignments) apply_setting(shot.settings, assignment);
+void apply_assignments(const CommandLine& line, const std::vector<Assignment>& assignments, Shot& shot) {
+  for (const Assignment& each : assignments) apply_setting(shot.settings, each.text);
   std::vector<Settings> asked;
   for (const ModeRun& run : shot.modes) {
     Settings& settings = asked.emplace_back(shot.settings);
     settings.taa = run.taa;
-    for (const std::string& assignment : line.assignments) apply_setting(settings, assignment);
+    for (const Assignment& each : assignments) apply_setting(settings, each.text);
   }
-  for (const std::string& assignment : line.assignments) {
-    const Setting& row = find_setting(assignment.substr(0, assignment.find('=')));
-    bool used = false;
-    for (size_t i = 0; i < asked.size(); ++i)
-      if (!row.used.holds || row.used.holds(asked[i]))
-        used = true;
-      else if (row.per_mode)
-        row.write(asked[i], row.read(settings_of(shot.modes[i])));
-    if (!used) throw SettingError(assignment + " has no effect: " + std::string(row.used.otherwise));
-  }
+  for (const Assignment& each : assignments) keep_what_is_used(line, shot, each, asked);
   for (size_t i = 0; i < asked.size(); ++i) {
-    if (const auto why = refusal(asked[i])) throw SettingError(shot.modes[i].name + ": " + *why);
+    if (const auto why = refusal(asked[i]))
+      refuse(line, !line.settings.empty() && line.assignments.empty(), shot.modes[i].name + ": " + *why);
     shot.modes[i].taa = asked[i].taa;
   }
+}
+
+// Figures compare the modes on the same geometry, which a jitter would move.
+void drop_jitter(const CommandLine& line, const std::vector<Assignment>& assignments, Shot& shot) {
+  for (const Assignment& each : assignments)
+    if (each.row().name == "jitter" || each.row().name == "jitter-scale")
+      refuse(line, each.of_file,
+             each.text + " has no effect: " + shot.command +
+                 " draws all modes without jitter, so that they share their geometry");
+  for (ModeRun& run : shot.modes) run.taa.policy.jitter = Jitter::none;
 }
 
 void check_rig(const std::string& name) {
@@ -160,9 +232,14 @@ Shot shot_from(const CommandLine& line) {
   shot.command = line.command->name;
   shot.modes = default_modes(*line.command);
   if (line.command->options & figures) shot.frames = 32, shot.rig = "pass";
-  apply_file_and_words(line, shot);
+  std::vector<Assignment> assignments = apply_file_and_words(line, shot);
   check_rig(shot.rig);
-  apply_assignments(line, shot);
+  for (const std::string& text : line.assignments) {
+    apply_setting(shot.settings, text); // refuses what is no assignment
+    assignments.push_back({.text = text});
+  }
+  if (line.command->options & figures) drop_jitter(line, assignments, shot);
+  apply_assignments(line, assignments, shot);
   return shot;
 }
 

@@ -9,13 +9,14 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include "app/command_line.h"
+#include "app/paths.h"
 #include "renderer/frame_input.h"
 
 namespace unghost {
 
 struct Shot {
   std::string command;
-  std::string scene = "asphalt";
+  std::string scene = own_scene;
   std::string rig = "drive";
   uint64_t seed = 1;
   PictureSize size;

@@ -1,8 +1,10 @@
 #include "app/stage.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "app/failure.h"
+#include "app/rigs.h"
 #include "renderer/scene/animation.h"
 #include "renderer/scene/bounds.h"
 #include "renderer/scene/load.h"
@@ -11,7 +13,7 @@
 namespace unghost {
 namespace {
 
-constexpr float usual_length_m = 4.4f; // of a car
+constexpr float usual_length_m = float(usual_car_m.z);
 constexpr float least_plausible_m = 0.5f, most_plausible_m = 20;
 // A model this much wider than long stands across its direction.
 constexpr float clearly_wider = 1.05f;
@@ -38,8 +40,15 @@ void refuse_model_settings(const StageSettings& settings) {
   throw SettingError("stage, model-scale and model-yaw shape a model, and this scene has a road of its own");
 }
 
+// Not of a single point, nor of what cannot be scaled to a car with finite numbers.
+bool has_size(glm::vec3 size) {
+  const float scale = usual_length_m / std::max({size.x, size.y, size.z});
+  return scale > 0 && std::isfinite(scale);
+}
+
 float scale_of(glm::vec3 size, const StageSettings& settings) {
   if (settings.model_scale > 0) return settings.model_scale;
+  if (!has_size(size)) return 1;
   const float largest = std::max({size.x, size.y, size.z});
   return largest >= least_plausible_m && largest <= most_plausible_m ? 1.0f : usual_length_m / largest;
 }
@@ -93,11 +102,15 @@ Staged build_stage(const std::filesystem::path& file, const std::filesystem::pat
     refuse_model_settings(settings);
   } else {
     const Bounds bounds = scene_bounds(staged.scene);
-    if (bounds.empty()) staged.scene.warnings.push_back("there is nothing in it to draw");
+    if (bounds.empty())
+      staged.scene.warnings.push_back("there is nothing in it to draw");
+    else if (!has_size(bounds.high - bounds.low))
+      staged.scene.warnings.push_back("it has no size, and is drawn as it is");
     const Trs fit = bounds.empty() ? Trs{} : fit_of(bounds, staged.scene.vehicle >= 0, settings);
     staged.scene = staged_model(surroundings_of(road, settings.stage), staged.scene, fit);
   }
-  staged.vehicle = vehicle_bounds(staged.scene);
+  const Bounds vehicle = vehicle_bounds(staged.scene);
+  if (!vehicle.empty() && has_size(vehicle.high - vehicle.low)) staged.vehicle = vehicle;
   if (staged.scene.track) staged.track_radius = staged.scene.track->radius;
   return staged;
 }

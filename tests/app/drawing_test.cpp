@@ -1,8 +1,16 @@
 // Whole runs on a real device, small.
+#include <cmath>
+#include <map>
+
+#include <ImfChannelList.h>
+#include <ImfFrameBuffer.h>
+#include <ImfHeader.h>
+#include <ImfInputFile.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 #include "app/files.h"
+#include "app/png_file.h"
 #include "renderer/gpu/device.h"
 #include "tests/app/outcome.h"
 #include "tests/app/scratch_folder.h"
@@ -39,6 +47,48 @@ protected:
   ScratchFolder folder;
 };
 
+/// A file read back: every channel as floats, row by row.
+struct Exr {
+  int width = 0, height = 0;
+  std::map<std::string, std::vector<float>> channels;
+};
+
+Exr read_exr(const std::string& path) {
+  Imf::InputFile file(path.c_str());
+  const Imath::Box2i window = file.header().dataWindow();
+  Exr exr{
+      .width = window.max.x - window.min.x + 1, .height = window.max.y - window.min.y + 1, .channels = {}};
+  Imf::FrameBuffer frame;
+  for (auto channel = file.header().channels().begin(); channel != file.header().channels().end();
+       ++channel) {
+    std::vector<float>& values = exr.channels[channel.name()];
+    values.resize(size_t(exr.width) * size_t(exr.height));
+    frame.insert(channel.name(), Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(values.data()), sizeof(float),
+                                            sizeof(float) * size_t(exr.width)));
+  }
+  file.setFrameBuffer(frame);
+  file.readPixels(window.min.y, window.max.y);
+  return exr;
+}
+
+// The camera looks down the road: ground and car at a finite distance, and sky.
+void expect_buffers(const Exr& exr) {
+  EXPECT_EQ(exr.width, 96);
+  EXPECT_EQ(exr.height, 54);
+  std::vector<std::string> names;
+  for (const auto& [name, values] : exr.channels) names.push_back(name);
+  EXPECT_EQ(names, (std::vector<std::string>{"B", "G", "R", "Z", "motion.X", "motion.Y", "resolved.B",
+                                             "resolved.G", "resolved.R", "tag"}));
+  const std::vector<float>& depth = exr.channels.at("Z");
+  for (const float metres : depth) ASSERT_GT(metres, 0);
+  EXPECT_TRUE(std::isinf(depth.front()));
+  EXPECT_LT(depth.back(), 100);
+  EXPECT_GT(std::ranges::max(exr.channels.at("tag")), 0);
+  for (const char* colour : {"R", "G", "B", "resolved.R", "resolved.G", "resolved.B"})
+    for (const float value : exr.channels.at(colour))
+      ASSERT_TRUE(value >= 0 && std::isfinite(value)) << colour;
+}
+
 TEST_F(DrawingTest, TheSameWordsAndThePicturesOwnGiveTheSameBytes) {
   const Words words = {"capture", "--frames", "4",     "--rig",     "rotate",
                        "--seed",  "3",        "--set", "alpha=0.2", "-q"};
@@ -58,8 +108,12 @@ TEST_F(DrawingTest, TheSameWordsAndThePicturesOwnGiveTheSameBytes) {
 TEST_F(DrawingTest, CaptureWritesSequencesAndBuffersAndSaysWhatItDid) {
   const Outcome drawn = draw({"capture", "--frames", "5", "--from", "3", "--sequence", file("s"), "--buffers",
                               file("b"), "-o", file("last.exr"), "--json", "--timings"});
-  for (const char* name : {"s/00003.png", "s/00004.png", "b/00003.exr", "b/00004.exr", "last.exr"})
-    EXPECT_GT(bytes(name).size(), 1000u) << name;
+  for (const char* name : {"s/00003.png", "s/00004.png"}) EXPECT_TRUE(is_png(bytes(name))) << name;
+  for (const char* name : {"b/00003.exr", "b/00004.exr"}) expect_buffers(read_exr(file(name)));
+  const Exr buffers = read_exr(file("b/00004.exr")), last = read_exr(file("last.exr"));
+  EXPECT_EQ(last.channels.size(), 3u);
+  for (const char* colour : {"R", "G", "B"})
+    EXPECT_EQ(last.channels.at(colour), buffers.channels.at(std::string("resolved.") + colour)) << colour;
   EXPECT_FALSE(std::filesystem::exists(file("s/00002.png")));
   EXPECT_FALSE(std::filesystem::exists(file("s/00005.png")));
   const json said = json::parse(drawn.out);
@@ -85,6 +139,43 @@ TEST_F(DrawingTest, ComparisonsSayWhereTheModesDiffer) {
   EXPECT_EQ(said.at("modes").size(), 2u);
   EXPECT_EQ(outcome(Words{"compare", "--settings", file("g.png"), "-o", file("h.png"), "-q"}).exit, 0);
   EXPECT_EQ(bytes("g.png"), bytes("h.png"));
+}
+
+TEST_F(DrawingTest, APassCountsOnceAFrame) {
+  const Outcome drawn =
+      draw({"compare", "--frames", "3", "--modes", "all", "--timings", "-o", file("g.png")});
+  const auto frames_of = [&](const std::string& pass) { // the number after the name, at a line's start
+    const size_t place = drawn.err.find("\n" + pass + " ");
+    return place == std::string::npos ? -1 : std::stoi(drawn.err.substr(place + pass.size() + 1));
+  };
+  EXPECT_EQ(frames_of("light"), 3) << drawn.err;
+  EXPECT_EQ(frames_of("tone map"), 1) << drawn.err;
+}
+
+TEST_F(DrawingTest, AModelThatIsASinglePointDraws) {
+  const json model = {
+      {"asset", {{"version", "2.0"}}},
+      {"scenes", {{{"nodes", {0}}}}},
+      {"nodes", {{{"mesh", 0}}}},
+      {"meshes", {{{"primitives", {{{"attributes", {{"POSITION", 0}}}}}}}}},
+      {"buffers",
+       {{{"uri", "data:application/octet-stream;base64," + std::string(48, 'A')}, {"byteLength", 36}}}},
+      {"bufferViews", {{{"buffer", 0}, {"byteLength", 36}}}},
+      {"accessors",
+       {{{"bufferView", 0},
+         {"componentType", 5126},
+         {"count", 3},
+         {"type", "VEC3"},
+         {"min", {0, 0, 0}},
+         {"max", {0, 0, 0}}}}}};
+  const std::string point = folder.file("point.gltf", model.dump()).string();
+  for (const char* stage : {"stage=asphalt", "stage=none"}) {
+    const Outcome drawn = draw(
+        {"capture", point, "--frames", "2", "--set", stage, "--buffers", file("b"), "-o", file("p.png")});
+    EXPECT_NE(drawn.err.find("it has no size"), std::string::npos) << drawn.err;
+    for (const auto& [name, values] : read_exr(file("b/00001.exr")).channels)
+      for (const float value : values) ASSERT_FALSE(std::isnan(value)) << name << ", " << stage;
+  }
 }
 
 TEST_F(DrawingTest, AnotherSeedIsAnotherPicture) {

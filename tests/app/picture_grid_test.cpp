@@ -29,6 +29,18 @@ TEST(PictureGrid, FourLieInASquareAndTwoBesideOneAnother) {
   EXPECT_EQ(two.height, 2 * 4 + 54u);
 }
 
+TEST(PictureGrid, ALastRowThatIsNotFullStandsInTheMiddle) {
+  std::vector<LabelledPicture> five;
+  for (int i = 0; i < 5; ++i) five.push_back(picture("", uint8_t(50 + 40 * i)));
+  const Image grid = picture_grid(five, {});
+  ASSERT_EQ(grid.width, 4 + 3 * (96 + 4u));
+  const uint32_t y = 8 + 54 + 50;
+  EXPECT_EQ(red(grid, 4 + 50 - 2, y), 20) << "half a cell is left free";
+  EXPECT_EQ(red(grid, 4 + 50 + 1, y), 170);
+  EXPECT_EQ(red(grid, grid.width - 4 - 50 - 2, y), 210);
+  EXPECT_EQ(red(grid, grid.width - 4 - 50 + 1, y), 20);
+}
+
 TEST(PictureGrid, LabelsAreWhiteOnDark) {
   const Image grid = picture_grid(std::vector{picture("I", 100)}, {});
   EXPECT_EQ(red(grid, 4 + 3 + 2, 4 + 3 + 3), 255) << "the stem of the I";

@@ -68,6 +68,8 @@ TEST(Run, WrongWordsAreTwoAndOneSentence) {
       {{"measure", "--what", "flicker"}, "not there yet"},
       {{"measure", "--what", "trial"}, "'trail'"},
       {{"measure", "--frames", "16"}, "--frames"},
+      {{"measure", "--set", "jitter=halton-8"}, "without jitter"},
+      {{"measure", "--set", "jitter-scale=0.5"}, "without jitter"},
       {{"modes", "--size", "4x4"}, "--size"},
   };
   for (const auto& [words, expected] : cases) {
@@ -77,6 +79,24 @@ TEST(Run, WrongWordsAreTwoAndOneSentence) {
     EXPECT_NE(wrong.err.find(expected), std::string::npos) << wrong.err;
     EXPECT_TRUE(has_line_count(wrong.err, 1)) << wrong.err;
   }
+}
+
+TEST(Run, OutputThatCannotBeWrittenIsOne) {
+  struct Full : std::streambuf {
+    int overflow(int) override { return traits_type::eof(); }
+  };
+  struct FullAtTheEnd : std::stringbuf {
+    int sync() override { return -1; }
+  };
+  Full full;
+  FullAtTheEnd full_at_the_end;
+  for (std::streambuf* buffer : std::initializer_list<std::streambuf*>{&full, &full_at_the_end})
+    for (const char* word : {"modes", "--help", "--version"}) {
+      std::ostream out(buffer);
+      std::ostringstream err;
+      EXPECT_EQ(run(std::vector{word}, out, err), 1) << word;
+      EXPECT_EQ(err.str(), "unghost: cannot write to standard output\n") << word;
+    }
 }
 
 TEST(Run, AFolderThatIsNotThereIsOneBeforeAnythingIsDrawn) {
@@ -110,6 +130,25 @@ TEST(Run, ListsAreTablesOrJsonOfTheSame) {
   EXPECT_EQ(names("views", "views").size(), answers<View>().size());
   EXPECT_EQ(names("settings", "settings").size(), settings_table().size());
   EXPECT_EQ(outcome(std::vector<std::string>{"modes", "--no-json"}).out, outcome({"modes"}).out);
+}
+
+TEST(Run, ViewsSayWhatTheyShow) {
+  const auto views =
+      nlohmann::json::parse(outcome(std::vector<std::string>{"views", "--json"}).out).at("views");
+  for (const auto& view : views)
+    EXPECT_TRUE(view.at("summary").get<std::string>().ends_with('.')) << view.at("name");
+}
+
+TEST(Run, TheReadmesTableHasTheRowsOfTheModes) {
+  std::ifstream readme(UNGHOST_README);
+  std::vector<std::string> listed, rows;
+  bool in_table = false;
+  for (std::string line; std::getline(readme, line);) {
+    in_table = line.starts_with("| mode |") || (in_table && line.starts_with('|'));
+    if (in_table && line.starts_with("| `")) listed.push_back(line.substr(3, line.find('`', 3) - 3));
+  }
+  for (const TaaMode& mode : taa_modes()) rows.emplace_back(mode.name);
+  EXPECT_EQ(listed, rows);
 }
 
 TEST(Run, ModesSayTheirSettings) {

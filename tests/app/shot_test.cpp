@@ -25,6 +25,16 @@ std::string complaint(std::vector<const char*> words) {
   return {};
 }
 
+std::string refusal_of(std::vector<const char*> words) {
+  try {
+    shot_of(std::move(words));
+  } catch (const Failure& failure) {
+    EXPECT_EQ(failure.exit, Exit::input_refused);
+    return failure.what();
+  }
+  return {};
+}
+
 TEST(Shot, HasDefaults) {
   const Shot shot = shot_of({"capture"});
   EXPECT_EQ(shot.scene, "asphalt");
@@ -103,6 +113,66 @@ TEST(Shot, PlainSettingsReachEveryMode) {
   const Shot shot = shot_of({"compare", "--modes", "blend,uncharted", "--settings", file.c_str()});
   EXPECT_EQ(shot.settings.light.sun_illuminance, 0.5f);
   for (const ModeRun& run : shot.modes) EXPECT_EQ(run.taa.alpha, 0.02f) << run.name;
+}
+
+TEST(Shot, PlainSettingsFollowTheRuleOfSet) {
+  const ScratchFolder folder;
+  const auto file = folder.file("sharp.json", R"({"history": "catmull-rom", "near": 4})");
+  const Shot shot = shot_of({"compare", "--settings", file.c_str()});
+  EXPECT_EQ(shot.modes[0].taa, settings_for_mode("off").taa);
+  EXPECT_EQ(shot.modes[1].taa.policy.history, HistoryFilter::catmull_rom);
+  EXPECT_EQ(shot.modes[1].taa.near_m, TaaSettings{}.near_m);
+  EXPECT_EQ(shot.modes.back().taa.near_m, 4);
+  const std::string refused = refusal_of({"compare", "--modes", "off,blend", "--settings", file.c_str()});
+  EXPECT_NE(refused.find("sharp.json: near=4 has no effect"), std::string::npos) << refused;
+  EXPECT_EQ(shot_of({"capture", "--mode", "off", "--settings", file.c_str(), "--set", "blend=constant",
+                     "--set", "reject=near-moving"})
+                .modes[0]
+                .taa.near_m,
+            4);
+}
+
+TEST(Shot, AFileOfSeveralModesIsNotGuessedAt) {
+  const Shot grid = shot_of({"compare", "--modes", "blend,uncharted", "--set", "alpha=0.2"});
+  const ScratchFolder folder;
+  const auto file = folder.file("grid.json", shot_json(grid, 9).dump());
+  EXPECT_NE(
+      complaint({"capture", "--settings", file.c_str()}).find("grid.json shows blend, uncharted: --mode"),
+      std::string::npos);
+  EXPECT_NE(complaint({"capture", "--settings", file.c_str(), "--mode", "off"}).find("no 'off'"),
+            std::string::npos);
+  const Shot one = shot_of({"capture", "--settings", file.c_str(), "--mode", "uncharted"});
+  EXPECT_EQ(one.modes[0].taa, grid.modes[1].taa);
+  const Shot wider = shot_of({"compare", "--settings", file.c_str(), "--modes", "off,blend"});
+  EXPECT_EQ(wider.modes[0].taa, settings_for_mode("off").taa);
+  EXPECT_EQ(wider.modes[1].taa, grid.modes[0].taa);
+}
+
+TEST(Shot, APictureOfOneModeIsNoComparison) {
+  const Shot picture = shot_of({"capture", "--mode", "uncharted", "--set", "alpha=0.2"});
+  const ScratchFolder folder;
+  const auto file = folder.file("one.json", shot_json(picture, 9).dump());
+  for (const char* command : {"compare", "measure"})
+    EXPECT_NE(complaint({command, "--settings", file.c_str()}).find("one.json shows one mode, uncharted"),
+              std::string::npos);
+  const Shot beside = shot_of({"compare", "--settings", file.c_str(), "--modes", "blend,uncharted"});
+  EXPECT_EQ(beside.modes[0].taa, settings_for_mode("blend").taa);
+  EXPECT_EQ(beside.modes[1].taa, picture.modes[0].taa);
+}
+
+TEST(Shot, AllModesAreAllRows) {
+  const Shot shot = shot_of({"compare", "--modes", "all"});
+  ASSERT_EQ(shot.modes.size(), taa_modes().size());
+  for (size_t i = 0; i < shot.modes.size(); ++i) EXPECT_EQ(shot.modes[i].name, taa_modes()[i].name);
+}
+
+TEST(Shot, AMeasurementSaysThatItHasNoJitter) {
+  const nlohmann::json said = shot_json(shot_of({"measure"}), 32);
+  for (const auto& mode : said.at("modes")) EXPECT_EQ(mode.at("settings").at("jitter"), "none");
+  const ScratchFolder folder;
+  const auto file = folder.file("moved.json", R"({"jitter": "halton-8"})");
+  const std::string refused = refusal_of({"measure", "--settings", file.c_str()});
+  EXPECT_NE(refused.find("moved.json: jitter=halton-8 has no effect"), std::string::npos) << refused;
 }
 
 TEST(Shot, AFileThatIsWrongIsRefused) {

@@ -124,6 +124,16 @@ TEST_F(StageTest, AnEmptyModelIsAWarning) {
   EXPECT_EQ(std::ranges::count(staged.scene.nodes, "ground", &Node::name), 1);
 }
 
+TEST_F(StageTest, AModelWithoutSizeIsAWarningAndStaysFinite) {
+  for (const float scale : {0.0f, 1e-40f}) {
+    const Staged staged = stage(model({scale, scale, scale}, {0, 0, 0}));
+    EXPECT_EQ(std::ranges::count(staged.scene.warnings, "it has no size, and is drawn as it is"), 1) << scale;
+    EXPECT_TRUE(staged.vehicle.empty()) << "the rigs take the usual car";
+    for (const glm::dmat4& world : world_matrices(staged.scene, default_pose(staged.scene)))
+      for (int i = 0; i < 16; ++i) EXPECT_TRUE(std::isfinite(world[i / 4][i % 4])) << scale;
+  }
+}
+
 TEST_F(StageTest, WhatIsNoModelIsRefused) {
   try {
     stage(json::object());

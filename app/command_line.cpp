@@ -1,6 +1,7 @@
 #include "app/command_line.h"
 
 #include <charconv>
+#include <limits>
 
 #include <CLI/CLI.hpp>
 
@@ -40,8 +41,9 @@ void add_drawing(CLI::App& app, CommandLine& line) {
       "WIDTHxHEIGHT, in pixels");
   app.add_option("--frames", line.frames, "Rendered one by one from a cold start; the last one counts")
       ->check(CLI::Range(1u, most_frames));
-  app.add_option("--seed", line.seed, "Varies the rig; 1 is the rig as designed")
-      ->check(CLI::NonNegativeNumber);
+  app.add_option_function<std::string>(
+      "--seed", [&line](const std::string& text) { line.seed = seed_of(text); },
+      "Varies the rig; 1 is the rig as designed");
   app.add_flag("--timings,!--no-timings", line.timings, "A table of passes: milliseconds and images");
   add_device(app, line);
 }
@@ -123,6 +125,15 @@ PictureSize picture_size(const std::string& text) {
   if (whole && size.width - 1 < longest_side && size.height - 1 < longest_side) return size;
   throw WrongWords("a size is WIDTHxHEIGHT, both from 1 to " + std::to_string(longest_side) + ", not '" +
                    text + "'");
+}
+
+uint64_t seed_of(const std::string& text) {
+  uint64_t seed = 0;
+  const char* end = text.data() + text.size();
+  const auto [rest, error] = std::from_chars(text.data(), end, seed);
+  if (error == std::errc{} && rest == end) return seed;
+  throw WrongWords("a seed is a whole number from 0 to " +
+                   std::to_string(std::numeric_limits<uint64_t>::max()) + ", not '" + text + "'");
 }
 
 std::variant<CommandLine, HelpText, VersionAsked> parse_command_line(std::span<const char* const> words) {

@@ -59,7 +59,12 @@ std::string nearest_word(std::string_view word, std::span<const std::string> kno
 
 std::string did_you_mean(std::string_view word, std::span<const std::string> known) {
   const std::string nearest = nearest_word(word, known);
-  return nearest.empty() ? "" : "; did you mean '" + nearest + "'?";
+  if (!nearest.empty()) return "; did you mean '" + nearest + "'?";
+  constexpr size_t most_listed = 12;
+  if (known.empty() || known.size() > most_listed) return {};
+  std::string all = "; there are ";
+  for (const std::string& one : known) all += (&one == known.data() ? "" : ", ") + one;
+  return all;
 }
 
 } // namespace unghost

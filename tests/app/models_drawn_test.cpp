@@ -1,6 +1,6 @@
 // Real models of other people, drawn. UNGHOST_MODELS names their folder.
-#include <chrono>
 #include <cstdlib>
+#include <ctime>
 #include <fstream>
 
 #include <nlohmann/json.hpp>
@@ -11,8 +11,6 @@
 
 namespace unghost {
 namespace {
-
-using Clock = std::chrono::steady_clock;
 
 /// The pixels that the model covers in a small picture of two instants.
 long covered_pixels(Renderer& renderer, const Instant& now, const Instant& before, bool cut) {
@@ -57,7 +55,7 @@ TEST(ModelsDrawn, EveryValidOneIsDrawnInTenSecondsOrNamesTheExtensionItRequires)
   for (const nlohmann::json& model : nlohmann::json::parse(index)) {
     if (model.at("kind") != "valid") continue;
     SCOPED_TRACE(model.at("path").get<std::string>());
-    const auto start = Clock::now();
+    const std::clock_t start = std::clock();
     try {
       const auto seen =
           draw(device, data, std::filesystem::path(folder) / model.at("path").get<std::string>());
@@ -70,7 +68,8 @@ TEST(ModelsDrawn, EveryValidOneIsDrawnInTenSecondsOrNamesTheExtensionItRequires)
       EXPECT_NE(std::string(failure.what()).find("/extensionsRequired"), std::string::npos) << failure.what();
       ++refused;
     }
-    EXPECT_LT(Clock::now() - start, std::chrono::seconds(10));
+    // of processor time, so that other work on the machine decides nothing
+    EXPECT_LT(double(std::clock() - start) / CLOCKS_PER_SEC, 10);
     EXPECT_EQ(device.validation_messages().size(), 0u) << device.validation_messages().front();
   }
   std::printf("%zu drawn, %zu require what is not there\n", drawn, refused);

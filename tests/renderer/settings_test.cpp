@@ -147,7 +147,8 @@ TEST(Spelling, NearestWordIsNearOrNone) {
   EXPECT_EQ(nearest_word("comprae", known), "compare");
   EXPECT_EQ(nearest_word("zebra", known), "");
   EXPECT_EQ(nearest_word("x", known), "");
-  EXPECT_EQ(did_you_mean("zebra", known), "");
+  EXPECT_EQ(did_you_mean("zebra", known), "; there are capture, compare, measure");
+  EXPECT_EQ(did_you_mean("zebra", std::vector<std::string>(40, "word")), "");
 }
 
 } // namespace

@@ -27,7 +27,7 @@ std::string outcome_of(const Loaded& loaded) {
 
 double seconds(const timeval& time) { return double(time.tv_sec) + double(time.tv_usec) * 1e-6; }
 
-/// Loads in a forked child; fails where it crashes, is busy for a second or has more than 300 MB.
+/// Loads in a forked child; fails where it crashes, is busy for more than a second or has more than 300 MB.
 std::string judge(const std::filesystem::path& file) {
   int ends[2];
   if (pipe(ends) != 0) return "no pipe";
@@ -50,8 +50,9 @@ std::string judge(const std::filesystem::path& file) {
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
   EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 0) << "it crashed or hung";
   const double busy = seconds(usage.ru_utime) + seconds(usage.ru_stime);
-  EXPECT_LT(busy, 1.0);
-  EXPECT_LT(took.count(), 10.0); // it waits for nothing; the rest is other work on this machine
+  // The sanitizers make it two to four times as busy.
+  EXPECT_LT(busy, memory_tells ? 1.0 : 4.0);
+  EXPECT_LT(took.count(), 20.0); // it waits for nothing; the rest is other work on this machine
   if (memory_tells) {
     EXPECT_LT(usage.ru_maxrss, 300 * 1024) << "kB";
   }

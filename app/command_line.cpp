@@ -16,6 +16,11 @@ constexpr std::string_view footer =
     "Exit codes: 0 done; 1 failed, or over a bound; 2 the words were wrong; 3 the input was refused;\n"
     "4 no usable Vulkan device; 5 device lost or out of memory; 130 and 143 for signals.";
 
+/// Of options that take any words: the next option is none of them.
+std::string no_option(const std::string& text) {
+  return text.empty() || (text.starts_with('-') && text.size() > 1) ? "a value is missing" : "";
+}
+
 void add_talk(CLI::App& app, CommandLine& line) {
   app.add_flag("--json,!--no-json", line.json, "Figures as one JSON object on standard output");
   app.add_flag("-q,--quiet,!--no-quiet", line.quiet, "Say nothing but errors");
@@ -32,18 +37,20 @@ void add_device(CLI::App& app, CommandLine& line) {
 void add_drawing(CLI::App& app, CommandLine& line) {
   app.add_option("SCENE", line.scene, "A glTF file, or " + std::string(own_scene) + " (the default)");
   app.add_option("--set", line.assignments, "name=value, of any setting; may be repeated")
-      ->allow_extra_args(false);
+      ->allow_extra_args(false)
+      ->check(no_option);
   app.add_option("--view", line.view, "What is drawn in place of the picture");
   app.add_option("--settings", line.settings, "JSON, or a PNG that unghost made: draws the same again");
-  app.add_option("--rig", line.rig, "How camera and vehicle move");
+  app.add_option("--rig", line.rig, "How camera and vehicle move (default drive; measure: pass)");
   app.add_option_function<std::string>(
       "--size", [&line](const std::string& text) { line.size = picture_size(text); },
-      "WIDTHxHEIGHT, in pixels");
-  app.add_option("--frames", line.frames, "Rendered one by one from a cold start; the last one counts")
+      "WIDTHxHEIGHT, in pixels (default 1280x720)");
+  app.add_option("--frames", line.frames,
+                 "Rendered one by one from a cold start; the last one counts (default 64; measure: 32)")
       ->check(CLI::Range(1u, most_frames));
   app.add_option_function<std::string>(
       "--seed", [&line](const std::string& text) { line.seed = seed_of(text); },
-      "Varies the rig; 1 is the rig as designed");
+      "Varies the rig; 1 is the rig as designed (default 1)");
   app.add_flag("--timings,!--no-timings", line.timings, "A table of passes: milliseconds and images");
   add_device(app, line);
 }
@@ -58,11 +65,13 @@ void add_frames_out(CLI::App& app, CommandLine& line) {
 void add_options(CLI::App& app, const CommandRow& row, CommandLine& line) {
   if (row.options & drawing) add_drawing(app, line);
   if (row.options & device) add_device(app, line);
-  if (row.options & one_mode) app.add_option("--mode", line.mode, "Which temporal resolve");
+  if (row.options & one_mode)
+    app.add_option("--mode", line.mode, "Which temporal resolve (default grand-tour)");
   if (row.options & many_modes)
     app.add_option("--modes", line.modes, "Names with commas between them, or all")
         ->delimiter(',')
-        ->allow_extra_args(false);
+        ->allow_extra_args(false)
+        ->check(no_option);
   if (row.options & picture) app.add_option("-o,--output", line.output, "The picture; - is standard output");
   if (row.options & frames_out) add_frames_out(app, line);
   if (row.options & crops)
@@ -70,7 +79,10 @@ void add_options(CLI::App& app, const CommandRow& row, CommandLine& line) {
         "--crops,!--no-crops", [&line](int64_t count) { line.crops = count > 0; },
         "Enlarge where the modes differ most");
   if (row.options & figures)
-    app.add_option("--what", line.what, "Which figures: trail")->delimiter(',')->allow_extra_args(false);
+    app.add_option("--what", line.what, "Which figures: trail")
+        ->delimiter(',')
+        ->allow_extra_args(false)
+        ->check(no_option);
   add_talk(app, line);
 }
 
@@ -114,6 +126,13 @@ void refuse_unknown(const CLI::App& app, bool is_command) {
   throw WrongWords("there is no command '" + word + "'" + did_you_mean(word, known_words(app, false)));
 }
 
+/// The library's "--size: 1 required TEXT missing" and "--size: At Most 1 required but received 2", in words.
+std::string sentence_of(const CLI::ArgumentMismatch& error) {
+  const std::string what = error.what(), option = what.substr(0, what.find(':'));
+  return what.find("At Most") == std::string::npos ? option + " wants a value"
+                                                   : option + " takes one value, and is given more";
+}
+
 } // namespace
 
 PictureSize picture_size(const std::string& text) {
@@ -146,12 +165,15 @@ std::variant<CommandLine, HelpText, VersionAsked> parse_command_line(std::span<c
     app->parse(std::move(reversed));
   } catch (const CLI::CallForHelp&) {
     return HelpText{app->help()};
+  } catch (const CLI::ArgumentMismatch& error) {
+    throw WrongWords(sentence_of(error));
   } catch (const CLI::ParseError& error) {
     throw WrongWords(error.what());
   }
   refuse_unknown(*app, false);
   for (const CLI::App* command : app->get_subcommands()) refuse_unknown(*command, true);
   if (version) return VersionAsked{};
+  if (line.quiet && line.verbose) throw WrongWords("--quiet and --verbose do not go together");
   if (line.view) line.assignments.push_back("view=" + *line.view);
   return line;
 }

@@ -50,9 +50,11 @@ NewFile::~NewFile() {
 }
 
 void NewFile::fail(int error) const {
-  const bool no_folder = error == ENOENT;
-  cannot_write(path_,
-               no_folder ? "there is no folder " + path_.parent_path().string() : std::strerror(error));
+  const fs::path folder = path_.parent_path();
+  std::error_code ignored;
+  if (error == ENOENT && !folder.empty() && !fs::exists(folder, ignored))
+    cannot_write(path_, "there is no folder " + folder.string());
+  cannot_write(path_, error == ENOENT ? "its folder takes no files" : std::strerror(error));
 }
 
 void NewFile::write(std::span<const uint8_t> bytes) {

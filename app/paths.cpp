@@ -25,6 +25,7 @@ DataFolders find_data_folders() {
 }
 
 fs::path scene_file(std::string_view word, const fs::path& assets) {
+  if (word.empty()) throw Failure(Exit::wrong_words, "the scene's name is empty");
   const bool plain = word.find_first_of("./") == std::string_view::npos;
   const fs::path shipped = assets / (std::string(word) + ".glb");
   std::error_code ignored;

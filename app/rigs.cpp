@@ -149,21 +149,23 @@ Instant drive(const RigContext& context, double time_s) {
                     time_s);
 }
 
-// The vehicle swings through the picture as a pendulum does, 15 m/s in the middle, so that a run of any
-// length has it in view; it enters at speed and needs about 40 frames from one side to the other.
+// The vehicle swings through the picture as a pendulum does, 10 m/s in the middle, so that a run of any
+// length has it in view; it needs about 90 frames from one side to the other, is fast where a short
+// measurement looks, and whole in the picture at the 64th. Where it does so no lamp throws a shadow on the
+// road that could be taken for a trail.
 Instant pass(const RigContext& context, double time_s) {
   const Variation variation = variation_of(context);
   const double scale = scale_of(bounds_of(context)), side = variation.side;
-  const double reach_m = 5 * scale, phase = 0.6 + speed_of(context, variation, 15) / reach_m * time_s;
-  const double along_m = -reach_m * std::cos(phase);
+  const double reach_m = 5 * scale, phase = 0.1 + speed_of(context, variation, 10) / reach_m * time_s;
+  const double along_m = -reach_m * std::cos(phase), middle_m = variation.start_m + 12;
   const double lane_m = side > 0 ? 0.0 : 1.9;     // the lane further from the camera
   const double camera_m = side > 0 ? 10.4 : -5.5; // in front of the guard rails, 11 m left and 6 m right
   const double distance_m = std::min(7.5 * scale, std::abs(camera_m - lane_m));
   return instant_of(
       context, variation,
-      {.vehicle = frame_on_path(context, variation.start_m + along_m, lane_m),
+      {.vehicle = frame_on_path(context, middle_m + along_m, lane_m),
        .travelled_m = along_m,
-       .camera_frame = frame_on_path(context, variation.start_m, lane_m),
+       .camera_frame = frame_on_path(context, middle_m, lane_m),
        .eye = {side * distance_m, 1.5 * scale, 0},
        .target = {0, 0.8 * scale, 0},
        .vertical_fov = 2 * std::atan(std::tan(Instant{}.vertical_fov / 2) * 7.5 * scale / distance_m),

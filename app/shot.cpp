@@ -98,6 +98,8 @@ std::vector<std::string> named_modes(const CommandLine& line) {
       for (const TaaMode& row : taa_modes()) names.emplace_back(row.name);
     else
       names.push_back(name);
+  for (const std::string& name : names)
+    if (std::ranges::count(names, name) > 1) throw SettingError("--modes names " + name + " more than once");
   return names;
 }
 

@@ -3,6 +3,7 @@
 
 #include <deque>
 
+#include "renderer/frame_input.h"
 #include "renderer/passes/passes.h"
 
 namespace unghost {

@@ -28,12 +28,6 @@ struct Instant {
   glm::dvec3 towards_sun{0, 1, 0};
 };
 
-/// One resolve among those of a frame. Its history belongs to its place in the list.
-struct ModeRun {
-  std::string name; // of the row; what pictures are labelled with
-  TaaSettings taa;
-};
-
 /// One that can be asked of a frame; those above `lit` once a mode, the rest once a jitter sequence (`mode`
 /// then says whose).
 enum class Output {

@@ -171,9 +171,12 @@ FrameSetup describe_frame(const FrameInput& input, const Scene& scene, const Gpu
   describe_camera(constants, input, {0, 0});
   describe_light(constants, input);
   const std::vector<double> map_place = describe_shadow_map(constants, input);
-  FrameContext in{.input = input,
-                  .scene = gpu,
+  FrameContext in{.scene = gpu,
+                  .modes = input.modes,
+                  .view = input.settings.view,
                   .size = {input.width, input.height},
+                  .index = input.index,
+                  .cut = input.cut,
                   .constants = {},
                   .eye_from_object = {objects.eye_from_object.begin(), objects.eye_from_object.end()},
                   .previous_eye_from_object = memory.push_range(objects.previous_eye_from_object),

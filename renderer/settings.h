@@ -59,6 +59,12 @@ struct Settings {
   View view = View::colour;
 };
 
+/// One resolve among those of a frame. Its history belongs to its place in the list.
+struct ModeRun {
+  std::string name; // of the row; what pictures are labelled with
+  TaaSettings taa;
+};
+
 /// A setting's words were wrong; `what()` is the sentence, with the nearest known name or the range.
 struct SettingError : std::invalid_argument {
   using std::invalid_argument::invalid_argument;

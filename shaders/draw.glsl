@@ -12,17 +12,17 @@ layout(set = 0, binding = DRAW_TEXTURE_PLACES, scalar) readonly buffer Places { 
 layout(push_constant, scalar) uniform Push { DrawPush draw; };
 
 #ifdef UNGHOST_FRAGMENT
-layout(set = 1, binding = 0) uniform sampler2D base_colour_map;
-layout(set = 1, binding = 1) uniform sampler2D metallic_roughness_map;
-layout(set = 1, binding = 2) uniform sampler2D normal_map;
-layout(set = 1, binding = 3) uniform sampler2D occlusion_map;
-layout(set = 1, binding = 4) uniform sampler2D emissive_map;
-layout(set = 1, binding = 5) uniform sampler2D coat_map;
-layout(set = 1, binding = 6) uniform sampler2D coat_roughness_map;
+layout(set = 1, binding = TEXTURE_BASE_COLOUR) uniform sampler2D base_colour_map;
+layout(set = 1, binding = TEXTURE_METALLIC_ROUGHNESS) uniform sampler2D metallic_roughness_map;
+layout(set = 1, binding = TEXTURE_NORMAL) uniform sampler2D normal_map;
+layout(set = 1, binding = TEXTURE_OCCLUSION) uniform sampler2D occlusion_map;
+layout(set = 1, binding = TEXTURE_EMISSIVE) uniform sampler2D emissive_map;
+layout(set = 1, binding = TEXTURE_COAT) uniform sampler2D coat_map;
+layout(set = 1, binding = TEXTURE_COAT_ROUGHNESS) uniform sampler2D coat_roughness_map;
 
 bool has(uint feature) { return (features & feature) != 0; }
+bool has_texture(uint i) { return (features >> i & 1) != 0; }
 
-/// Texture coordinates of texture i (the order of the HAS_ bits).
 vec2 uv_of(uint i, vec2 uv0, vec2 uv1) {
   if (!has(HAS_TEXTURE_PLACES)) return uv0;
   vec2 uv = (texture_places[draw.material_index].uv_sets >> i & 1) != 0 ? uv1 : uv0;

@@ -9,9 +9,11 @@ layout(location = 2) in vec4 in_uv;
 layout(location = 3) in vec4 in_colour;
 layout(location = 4) in vec3 in_previous_eye;
 
+#ifdef WRITES_SHADING
 layout(location = 0) out vec4 out_albedo;
 layout(location = 1) out vec2 out_normal;
 layout(location = 2) out vec4 out_material;
+#endif
 #ifdef WRITES_EMISSIVE
 layout(location = 3) out vec3 out_emissive;
 #endif
@@ -30,10 +32,10 @@ vec3 shading_normal(float normal_scale) {
   vec3 n = normalize(in_normal), shading = n;
   vec3 t = in_tangent.xyz - n * dot(in_tangent.xyz, n);
   float length2 = dot(t, t);
-  if (has(HAS_NORMAL) && length2 > 1e-12) {
+  if (has_texture(TEXTURE_NORMAL) && length2 > 1e-12) {
     t *= inversesqrt(length2);
     vec3 b = cross(n, t) * in_tangent.w;
-    vec3 mapped = texture(normal_map, uv_of(2, in_uv.xy, in_uv.zw)).xyz * 2 - 1;
+    vec3 mapped = texture(normal_map, uv_of(TEXTURE_NORMAL, in_uv.xy, in_uv.zw)).xyz * 2 - 1;
     mapped.xy *= normal_scale;
     shading = normalize(t * mapped.x + b * mapped.y + n * max(mapped.z, 1e-3));
   }
@@ -51,27 +53,28 @@ vec3 motion_of_object() {
 void main() {
   const MaterialData m = draw.material;
   vec4 base = m.base_colour * in_colour;
-  if (has(HAS_BASE_COLOUR)) base *= texture(base_colour_map, uv_of(0, in_uv.xy, in_uv.zw));
+  if (has_texture(TEXTURE_BASE_COLOUR)) base *= texture(base_colour_map, uv_of(TEXTURE_BASE_COLOUR, in_uv.xy, in_uv.zw));
   if (has(HAS_ALPHA_MASK) && base.a < m.alpha_cutoff) discard;
-
+#ifdef WRITES_SHADING
   vec2 roughness_metalness = vec2(m.roughness, m.metalness);
-  if (has(HAS_METALLIC_ROUGHNESS))
-    roughness_metalness *= texture(metallic_roughness_map, uv_of(1, in_uv.xy, in_uv.zw)).gb;
+  if (has_texture(TEXTURE_METALLIC_ROUGHNESS))
+    roughness_metalness *= texture(metallic_roughness_map, uv_of(TEXTURE_METALLIC_ROUGHNESS, in_uv.xy, in_uv.zw)).gb;
   float occlusion = 1;
-  if (has(HAS_OCCLUSION))
-    occlusion += m.occlusion_strength * (texture(occlusion_map, uv_of(3, in_uv.xy, in_uv.zw)).r - 1);
+  if (has_texture(TEXTURE_OCCLUSION))
+    occlusion += m.occlusion_strength * (texture(occlusion_map, uv_of(TEXTURE_OCCLUSION, in_uv.xy, in_uv.zw)).r - 1);
   vec2 coat = vec2(m.coat, m.coat_roughness);
-  if (has(HAS_COAT)) coat.x *= texture(coat_map, uv_of(5, in_uv.xy, in_uv.zw)).r;
-  if (has(HAS_COAT_ROUGHNESS)) coat.y *= texture(coat_roughness_map, uv_of(6, in_uv.xy, in_uv.zw)).g;
+  if (has_texture(TEXTURE_COAT)) coat.x *= texture(coat_map, uv_of(TEXTURE_COAT, in_uv.xy, in_uv.zw)).r;
+  if (has_texture(TEXTURE_COAT_ROUGHNESS)) coat.y *= texture(coat_roughness_map, uv_of(TEXTURE_COAT_ROUGHNESS, in_uv.xy, in_uv.zw)).g;
 
   out_albedo = vec4(sqrt(base.rgb), occlusion);
   out_normal = octahedral_from_direction(shading_normal(m.normal_scale));
   out_material = vec4(max(roughness_metalness.x, least_roughness), roughness_metalness.y, coat.x,
                       max(coat.y, least_roughness));
   if (has(IS_UNLIT)) out_material.x = 0;
+#endif
 #ifdef WRITES_EMISSIVE
   vec3 emissive = m.emissive;
-  if (has(HAS_EMISSIVE)) emissive *= texture(emissive_map, uv_of(4, in_uv.xy, in_uv.zw)).rgb;
+  if (has_texture(TEXTURE_EMISSIVE)) emissive *= texture(emissive_map, uv_of(TEXTURE_EMISSIVE, in_uv.xy, in_uv.zw)).rgb;
   out_emissive = has(IS_UNLIT) ? base.rgb : emissive;
 #endif
 #ifdef WRITES_MOTION

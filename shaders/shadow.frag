@@ -8,6 +8,6 @@ layout(location = 1) in float in_alpha;
 
 void main() {
   float alpha = draw.material.base_colour.a * in_alpha;
-  if (has(HAS_BASE_COLOUR)) alpha *= texture(base_colour_map, uv_of(0, in_uv.xy, in_uv.zw)).a;
+  if (has_texture(TEXTURE_BASE_COLOUR)) alpha *= texture(base_colour_map, uv_of(TEXTURE_BASE_COLOUR, in_uv.xy, in_uv.zw)).a;
   if (alpha < draw.material.alpha_cutoff) discard;
 }

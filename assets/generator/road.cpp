@@ -15,6 +15,10 @@ using glm::dvec2, glm::dvec3, glm::dvec4;
 
 namespace {
 
+// A sector ends in a lip below the next one's edge: each is turned into its place, which rounds, and the sky
+// would show between them. Flatter than any view of it, or the sky would show between the two from far away.
+constexpr double lip_length = 0.4, lip_drop = 0.001;
+
 constexpr int variants = 5; // of the road's wear; they follow each other round the circuit
 
 enum class Surface { asphalt, line, dashes, tar };
@@ -75,63 +79,74 @@ struct RoadParts {
 };
 
 void add_cell(Triangles& to, std::array<double, 2> along, std::array<std::array<double, 2>, 2> left,
-              double shade, int variant) {
+              double shade, int variant, double drop = 0) {
   // Lefts are [row][column]; the quad goes round seen from above.
   static constexpr std::array<std::array<int, 2>, 4> round = {{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
   const auto first = uint32_t(to.positions.size());
   for (const auto& [row, column] : round) {
     const double s = along[size_t(row)], l = left[size_t(row)][size_t(column)];
     const dvec4 colour = wear(s, l, variant) * dvec4(dvec3(shade), 1);
-    to.add(sector_point(s, l), {0, 1, 0}, dvec2(l, s) / asphalt_tile, colour);
+    to.add(sector_point(s, l, row == 1 ? -drop : 0), {0, 1, 0}, dvec2(l, s) / asphalt_tile, colour);
   }
   to.quad(first, first + 1, first + 2, first + 3);
 }
 
+/// Where every second sector has a tar seam across.
+constexpr int seam_row = 14;
+constexpr double seam_length = 0.05;
+
+/// Metres along the sector at which all its cells are cut, so that neighbours share their corners.
+std::vector<double> cuts_of(bool has_seam) {
+  std::vector<double> cuts;
+  for (int row = 0; row <= Track::rows; ++row) {
+    cuts.push_back(Track::sector_length * row / Track::rows);
+    if (has_seam && row == seam_row) cuts.push_back(cuts.back() + seam_length);
+  }
+  return cuts;
+}
+
 RoadParts road_sector(int variant) {
   RoadParts parts;
-  const double step = Track::sector_length / Track::rows, seam = 0.05;
+  const bool has_seam = variant % 2 == 0;
+  const std::vector<double> cuts = cuts_of(has_seam);
+  const auto left_at = [&](double s, double l) { return wander(l, s / Track::sector_length, variant); };
   for (const Band& band : bands()) {
     for (size_t c = 0; c + 1 < band.columns.size(); ++c) {
       const double low = band.columns[c], high = band.columns[c + 1], middle = 0.5 * (low + high);
-      for (int row = 0; row < Track::rows; ++row) {
-        const auto cell = [&](Triangles& to, double from, double until, double shade) {
-          const auto left = [&](double s, double l) { return wander(l, s / Track::sector_length, variant); };
-          add_cell(to, {from, until},
-                   {{{left(from, low), left(from, high)}, {left(until, low), left(until, high)}}}, shade,
-                   variant);
-        };
-        const double from = row * step, until = from + step;
+      for (size_t cut = 0; cut + 1 < cuts.size(); ++cut) {
+        const double from = cuts[cut], until = cuts[cut + 1];
+        const int row = int(cut) - (has_seam && int(cut) > seam_row);
         const bool dash = band.surface == Surface::dashes && row % 6 < 2;
-        if (band.surface == Surface::line || dash) {
-          cell(parts.line, from, until, 1);
-        } else if (band.surface == Surface::tar) {
-          cell(parts.tar, from, until, 1);
-        } else if (row == 14 && variant % 2 == 0) {
-          cell(parts.tar, from, from + seam, 1);
-          cell(parts.asphalt, from + seam, until, 1);
-        } else {
-          cell(parts.asphalt, from, until, mended(row, middle, variant) ? 0.62 : 1);
-        }
+        const bool paint = band.surface == Surface::line || dash;
+        const bool tar = band.surface == Surface::tar || (has_seam && int(cut) == seam_row);
+        Triangles& surface = paint ? parts.line : tar ? parts.tar : parts.asphalt;
+        add_cell(surface, {from, until},
+                 {{{left_at(from, low), left_at(from, high)}, {left_at(until, low), left_at(until, high)}}},
+                 !paint && !tar && mended(row, middle, variant) ? 0.62 : 1, variant);
       }
+      const double end = cuts.back(), near = left_at(end, low), far = left_at(end, high);
+      add_cell(parts.asphalt, {end, end + lip_length}, {{{near, far}, {near, far}}}, 1, variant, lip_drop);
     }
   }
   parts.tar.colours.clear(); // tar is the same tar everywhere
   return parts;
 }
 
-// A strip beside the road: columns of (left, up), from right to left.
-Triangles strip(const std::vector<dvec2>& columns, double from, double until, int rows) {
+// A strip beside the road: columns of (left, up), from right to left. With a lip, its last row is one.
+Triangles strip(const std::vector<dvec2>& columns, double from, double until, int rows, bool lip = false) {
   Triangles t;
   for (size_t c = 0; c + 1 < columns.size(); ++c) {
     const dvec2 low = columns[c], high = columns[c + 1], slope = high - low;
     const auto first = uint32_t(t.positions.size());
-    for (int row = 0; row <= rows; ++row) {
-      const double s = from + (until - from) * row / rows, angle = s / Track::radius;
+    for (int row = 0; row <= rows + lip; ++row) {
+      const double drop = row > rows ? lip_drop : 0;
+      const double s = row > rows ? until + lip_length : from + (until - from) * row / rows,
+                   angle = s / Track::radius;
       const dvec3 left(std::cos(angle), 0, -std::sin(angle));
       for (const dvec2 p : {low, high})
-        t.add(sector_point(s, p.x, p.y), dvec3(0, slope.x, 0) - left * slope.y);
+        t.add(sector_point(s, p.x, p.y - drop), dvec3(0, slope.x, 0) - left * slope.y);
     }
-    for (uint32_t row = 0; row < uint32_t(rows); ++row) {
+    for (uint32_t row = 0; row < uint32_t(rows + lip); ++row) {
       const uint32_t v = first + 2 * row;
       t.quad(v, v + 2, v + 3, v + 1);
     }
@@ -159,8 +174,9 @@ void add_road(Glb& glb, const WorldMaterials& m) {
         glb.add_mesh("road_" + std::to_string(variant),
                      {{m.asphalt, parts.asphalt}, {m.road_paint, parts.line}, {m.tar, parts.tar}}));
   }
-  Triangles gravel = strip({{-3.5, -0.09}, {-2.9, -0.03}, {-2.2, 0}}, 0, Track::sector_length, Track::rows);
-  gravel.append(strip({{5.8, 0}, {6.5, -0.03}, {7.3, -0.09}}, 0, Track::sector_length, Track::rows));
+  Triangles gravel =
+      strip({{-3.5, -0.09}, {-2.9, -0.03}, {-2.2, 0}}, 0, Track::sector_length, Track::rows, true);
+  gravel.append(strip({{5.8, 0}, {6.5, -0.03}, {7.3, -0.09}}, 0, Track::sector_length, Track::rows, true));
   for (const dvec3 p : gravel.positions) // the asphalt's picture, half as large again
     gravel.uvs.push_back(dvec2(Track::radius - std::hypot(p.x, p.z), Track::radius * std::atan2(p.z, -p.x)) /
                          (asphalt_tile * 1.5));

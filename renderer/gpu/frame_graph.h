@@ -60,6 +60,7 @@ struct Attachment {
   ImageRef image;
   std::optional<VkClearValue> clear;
   Use use = Use::colour_attachment;
+  bool together = false; // kept where any other attachment of the pass that says so is read
 };
 
 /// A specialization constant: a number, or whether anybody reads an image that the pass could write.

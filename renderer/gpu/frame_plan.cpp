@@ -110,6 +110,22 @@ UseFacts facts_of(Use use, PassKind kind, VkFormat format) {
   return facts;
 }
 
+namespace {
+
+/// What one variant of a shader writes together is read, or not, as one.
+void keep_together(const FrameGraph& graph, const std::vector<size_t>& running, FramePlan& plan) {
+  for (const size_t pass : running) {
+    const std::vector<Attachment>& attachments = graph.passes()[pass].attachments;
+    const auto read = [&](const Attachment& one) {
+      return one.together && plan.images[one.image.index].live;
+    };
+    if (std::ranges::none_of(attachments, read)) continue;
+    for (const Attachment& one : attachments) plan.images[one.image.index].live |= one.together;
+  }
+}
+
+} // namespace
+
 FramePlan cull(const FrameGraph& graph) {
   FramePlan plan;
   plan.images.resize(graph.images().size());
@@ -135,6 +151,7 @@ FramePlan cull(const FrameGraph& graph) {
       seen[touch.image.index] = touch.keeps || (seen[touch.image.index] != 0 && !touch.facts.writes);
     }
   }
+  keep_together(graph, running, plan);
   for (PlannedImage& image : plan.images)
     if (!image.live && (image.usage & VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT) != 0) image.needed = false;
   for (size_t i = running.size(); i-- > 0;) plan.passes.push_back({.pass = running[i]});

@@ -30,7 +30,8 @@ GraphicsDesc pipeline_of(const PassCommands& commands, const DrawStyle& style, u
   if (style.shadow) {
     // what a shadow does not see must not make more pipelines of one
     const bool masked = (features & HAS_ALPHA_MASK) != 0;
-    desc.constants = {masked ? features & (HAS_ALPHA_MASK | HAS_BASE_COLOUR | HAS_TEXTURE_PLACES) : 0u, 0u};
+    desc.constants = {
+        masked ? features & (HAS_ALPHA_MASK | 1u << TEXTURE_BASE_COLOUR | HAS_TEXTURE_PLACES) : 0u, 0u};
     if (!masked) desc.fragment.clear();
     desc.compare = VK_COMPARE_OP_LESS_OR_EQUAL;
     desc.depth_bias = shadow_bias;

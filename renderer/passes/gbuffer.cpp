@@ -17,8 +17,9 @@ GBuffer draw_gbuffer(FrameGraph& graph, const FrameContext& in) {
   };
   const VkClearValue zero{};
   std::vector<Attachment> attachments;
-  for (const ImageRef target : {gbuffer.albedo, gbuffer.normal, gbuffer.material, gbuffer.emissive,
-                                gbuffer.object_motion, gbuffer.object})
+  for (const ImageRef target : {gbuffer.albedo, gbuffer.normal, gbuffer.material})
+    attachments.push_back({.image = target, .clear = zero, .together = true});
+  for (const ImageRef target : {gbuffer.emissive, gbuffer.object_motion, gbuffer.object})
     attachments.push_back({target, zero});
   attachments.push_back({gbuffer.depth, zero, Use::depth_attachment});
 
@@ -30,6 +31,7 @@ GBuffer draw_gbuffer(FrameGraph& graph, const FrameContext& in) {
                 commands.begin_rendering();
                 // shaders/gbuffer.frag is compiled for every set of outputs that there may be
                 std::string fragment = "gbuffer.frag";
+                if (commands.live(gbuffer.albedo)) fragment += ".shading";
                 if (commands.live(gbuffer.emissive)) fragment += ".emissive";
                 if (commands.live(gbuffer.object_motion)) fragment += ".motion";
                 if (commands.live(gbuffer.object)) fragment += ".object";

@@ -15,13 +15,12 @@ GpuBuffer upload(const Device& device, const std::vector<T>& values, VkBufferUsa
 
 uint32_t features_of(const Material& material) {
   uint32_t features = 0;
-  const auto uses = textures_of(material);
-  for (uint32_t i = 0; i < MATERIAL_TEXTURES; ++i)
-    if (uses[i]->image >= 0) {
-      features |= 1u << i;
-      if (uses[i]->uv_set != 0 || uses[i]->transform != TextureUse{}.transform)
-        features |= HAS_TEXTURE_PLACES;
-    }
+  for (uint32_t i = 0; i < MATERIAL_TEXTURES; ++i) {
+    const TextureUse& use = material.*material_textures[i];
+    if (use.image < 0) continue;
+    features |= 1u << i;
+    if (use.uv_set != 0 || use.transform != TextureUse{}.transform) features |= HAS_TEXTURE_PLACES;
+  }
   if (material.alpha_mode == AlphaMode::mask) features |= HAS_ALPHA_MASK;
   if (material.unlit) features |= IS_UNLIT;
   return features;
@@ -50,10 +49,10 @@ std::vector<TexturePlaces> places_of_textures(const Scene& scene) {
   std::vector<TexturePlaces> all;
   for (const Material& material : scene.materials) {
     TexturePlaces places{};
-    const auto uses = textures_of(material);
     for (uint32_t i = 0; i < MATERIAL_TEXTURES; ++i) {
-      places.uv_transforms[i] = uses[i]->transform;
-      if (uses[i]->uv_set == 1) places.uv_sets |= 1u << i;
+      const TextureUse& use = material.*material_textures[i];
+      places.uv_transforms[i] = use.transform;
+      if (use.uv_set == 1) places.uv_sets |= 1u << i;
     }
     all.push_back(places);
   }

@@ -12,7 +12,7 @@ struct Draw {
   uint32_t object = 0; // index into the objects of a frame
   uint32_t first_index = 0, index_count = 0, first_vertex = 0;
   uint32_t material = 0;
-  uint32_t features = 0; // HAS_ and IS_ bits of frame.h: which pipeline
+  uint32_t features = 0; // bits of frame.h: which pipeline
   uint8_t tag = 0;
   bool double_sided = false, blended = false;
   Bounds bounds; // object space

@@ -5,7 +5,8 @@
 namespace unghost {
 namespace {
 
-constexpr uint32_t srgb_textures = HAS_BASE_COLOUR | HAS_EMISSIVE;
+constexpr uint32_t srgb_textures = 1u << TEXTURE_BASE_COLOUR | 1u << TEXTURE_EMISSIVE;
+
 std::unique_ptr<GpuImage> upload(Device& device, const Image& source, bool srgb) {
   return std::make_unique<GpuImage>(
       upload_texture(device,
@@ -54,12 +55,6 @@ OwnedDescriptorPool make_pool(VkDevice device, uint32_t sets) {
 
 } // namespace
 
-std::array<const TextureUse*, MATERIAL_TEXTURES> textures_of(const Material& m) {
-  return {&m.base_colour_texture,        &m.metallic_roughness_texture, &m.normal_texture,
-          &m.occlusion_texture,          &m.emissive_texture,           &m.clearcoat_texture,
-          &m.clearcoat_roughness_texture};
-}
-
 MaterialTextures::MaterialTextures(Device& device, const Scene& scene)
     : layout_(make_layout(device.handle())),
       pool_(make_pool(device.handle(), uint32_t(scene.materials.size()))) {
@@ -72,11 +67,12 @@ MaterialTextures::MaterialTextures(Device& device, const Scene& scene)
     VkDescriptorSet set = VK_NULL_HANDLE;
     check(vkAllocateDescriptorSets(device.handle(), &info, &set), "making a material's set");
     std::array<VkDescriptorImageInfo, MATERIAL_TEXTURES> images;
-    const auto uses = textures_of(material);
-    for (uint32_t i = 0; i < MATERIAL_TEXTURES; ++i)
-      images[i] = {sampler(device, *uses[i]),
-                   image(device, scene, {uses[i]->image, (srgb_textures >> i & 1) != 0}).view,
+    for (uint32_t i = 0; i < MATERIAL_TEXTURES; ++i) {
+      const TextureUse& use = material.*material_textures[i];
+      images[i] = {sampler(device, use),
+                   image(device, scene, {use.image, (srgb_textures >> i & 1) != 0}).view,
                    VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL};
+    }
     std::array<VkWriteDescriptorSet, MATERIAL_TEXTURES> writes;
     for (uint32_t i = 0; i < MATERIAL_TEXTURES; ++i)
       writes[i] = {.sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET,

@@ -12,8 +12,7 @@
 
 namespace unghost {
 
-/// The textures of a material in the order of the HAS_ bits and of their bindings in set 1.
-std::array<const TextureUse*, MATERIAL_TEXTURES> textures_of(const Material& material);
+static_assert(std::size(material_textures) == MATERIAL_TEXTURES);
 
 class MaterialTextures {
 public:

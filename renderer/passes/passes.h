@@ -2,17 +2,20 @@
 // their order.
 #pragma once
 
-#include "renderer/frame_input.h"
 #include "renderer/gpu/graph_runner.h"
 #include "renderer/passes/gpu_scene.h"
+#include "renderer/settings.h"
 
 namespace unghost {
 
 /// What a pass is told of the frame. The same for all passes that share a jitter.
 struct FrameContext {
-  const FrameInput& input;
   const GpuScene& scene;
+  std::span<const ModeRun> modes;
+  View view = View::colour;
   VkExtent2D size{};
+  uint64_t index = 0;                       // of the frame
+  bool cut = false;                         // nothing of the frame before may be used
   BufferSlice constants;                    // FrameConstants
   std::vector<glm::mat4x3> eye_from_object; // by object
   BufferSlice previous_eye_from_object;     // the same last frame, from that frame's eye

@@ -4,12 +4,12 @@
 namespace unghost {
 
 Resolved resolve_taa(FrameGraph& graph, const FrameContext& in, const TaaInputs& inputs, size_t place) {
-  const TaaSettings& taa = in.input.modes[place].taa;
+  const TaaSettings& taa = in.modes[place].taa;
   const TaaPolicy& policy = taa.policy;
   if (!policy.needs_history()) return {.colour = inputs.colour, .why = {}};
 
   const std::string key = "history " + std::to_string(place);
-  const bool reset = in.input.cut || in.policy_changed[place];
+  const bool reset = in.cut || in.policy_changed[place];
   const History colour =
       graph.history(key, {.format = VK_FORMAT_R16G16B16A16_SFLOAT, .extent = in.size}, reset);
   const bool keeps_tags = policy.needs_previous_tags() && in.scene.traits.tagged;
@@ -22,7 +22,7 @@ Resolved resolve_taa(FrameGraph& graph, const FrameContext& in, const TaaInputs&
                      .motion_threshold_px = taa.motion_threshold_px,
                      .near_m = taa.near_m,
                      .far_m = taa.far_m,
-                     .frame = uint32_t(in.input.index)};
+                     .frame = uint32_t(in.index)};
   const auto bytes = std::as_bytes(std::span(&push, 1));
   // Without a history the frame is taken as it is: nothing is made for questions that nobody asks.
   const bool has_history = colour.valid && (!keeps_tags || tags.valid);
@@ -31,7 +31,7 @@ Resolved resolve_taa(FrameGraph& graph, const FrameContext& in, const TaaInputs&
   const ImageRef depth =
       has_history || keeps_tags ? inputs.gbuffer.depth : graph.neutral(VK_FORMAT_R32_SFLOAT);
   graph.compute(
-      {.name = "taa " + in.input.modes[place].name,
+      {.name = "taa " + in.modes[place].name,
        .shader = "taa.comp",
        .constants = {uint32_t(policy.dilation), uint32_t(policy.history), uint32_t(policy.rectify),
                      uint32_t(policy.reject), uint32_t(reads_tags), uint32_t(keeps_tags), why,

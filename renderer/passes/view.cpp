@@ -4,7 +4,7 @@
 namespace unghost {
 
 ImageRef draw_view(FrameGraph& graph, const FrameContext& in, const ViewInputs& inputs) {
-  const View view = in.input.settings.view;
+  const View view = in.view;
   if (view == View::colour) return inputs.picture;
 
   const ImageRef out = graph.image({.name = "view", .format = VK_FORMAT_R8G8B8A8_UNORM, .extent = in.size});

@@ -10,14 +10,6 @@ namespace unghost {
 
 namespace {
 
-constexpr TextureUse Material::*texture_uses[] = {&Material::base_colour_texture,
-                                                  &Material::metallic_roughness_texture,
-                                                  &Material::normal_texture,
-                                                  &Material::occlusion_texture,
-                                                  &Material::emissive_texture,
-                                                  &Material::clearcoat_texture,
-                                                  &Material::clearcoat_roughness_texture};
-
 int moved(int index, size_t offset) { return index < 0 ? -1 : index + int(offset); }
 
 template <class T> void add_all(std::vector<T>& to, const std::vector<T>& from) {
@@ -32,7 +24,7 @@ void append_meshes(Scene& into, const Scene& from) {
   add_all(into.indices, from.indices);
   add_all(into.images, from.images);
   for (Material material : from.materials) {
-    for (const auto use : texture_uses) (material.*use).image = moved((material.*use).image, images);
+    for (const auto use : material_textures) (material.*use).image = moved((material.*use).image, images);
     into.materials.push_back(std::move(material));
   }
   for (Mesh mesh : from.meshes) {
@@ -91,7 +83,7 @@ int Sieve::material(int index) {
   const auto [at, is_new] = materials_.try_emplace(index, int(to_.materials.size()));
   if (!is_new) return at->second;
   Material copy = from_.materials[size_t(index)];
-  for (const auto use : texture_uses) (copy.*use).image = image((copy.*use).image);
+  for (const auto use : material_textures) (copy.*use).image = image((copy.*use).image);
   to_.materials.push_back(std::move(copy));
   return at->second;
 }

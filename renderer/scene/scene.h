@@ -74,6 +74,12 @@ struct Material {
   TextureUse clearcoat_roughness_texture;  // g
 };
 
+/// Every texture of a material, in the order of the TEXTURE_ numbers that shaders know them by.
+inline constexpr TextureUse Material::*material_textures[] = {
+    &Material::base_colour_texture, &Material::metallic_roughness_texture, &Material::normal_texture,
+    &Material::occlusion_texture,   &Material::emissive_texture,           &Material::clearcoat_texture,
+    &Material::clearcoat_roughness_texture};
+
 /// A triangle list in Scene::indices, `first_index` on; its indices count from `first_vertex`.
 struct Primitive {
   uint32_t first_index = 0, index_count = 0;

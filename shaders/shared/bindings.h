@@ -6,7 +6,7 @@
 
 SHARED_BEGIN
 
-// what draws geometry; its set 1 holds a material's textures, in the order of the HAS_ bits of frame.h
+// what draws geometry; its set 1 holds a material's textures (TEXTURE_ numbers of frame.h)
 SHARED_CONSTANT DRAW_PREVIOUS = 1;
 SHARED_CONSTANT DRAW_TEXTURE_PLACES = 2;
 

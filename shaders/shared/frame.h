@@ -38,15 +38,17 @@ struct FrameConstants {
   float shadow_texel_m;
 };
 
-/// Which textures a material has: a specialization constant of the G-buffer.
-SHARED_CONSTANT HAS_BASE_COLOUR = 1;
-SHARED_CONSTANT HAS_METALLIC_ROUGHNESS = 2;
-SHARED_CONSTANT HAS_NORMAL = 4;
-SHARED_CONSTANT HAS_OCCLUSION = 8;
-SHARED_CONSTANT HAS_EMISSIVE = 16;
-SHARED_CONSTANT HAS_COAT = 32;
-SHARED_CONSTANT HAS_COAT_ROUGHNESS = 64;
+/// The textures of a material: their bindings in set 1, and their places in every array of textures.
+SHARED_CONSTANT TEXTURE_BASE_COLOUR = 0;
+SHARED_CONSTANT TEXTURE_METALLIC_ROUGHNESS = 1;
+SHARED_CONSTANT TEXTURE_NORMAL = 2;
+SHARED_CONSTANT TEXTURE_OCCLUSION = 3;
+SHARED_CONSTANT TEXTURE_EMISSIVE = 4;
+SHARED_CONSTANT TEXTURE_COAT = 5;
+SHARED_CONSTANT TEXTURE_COAT_ROUGHNESS = 6;
 SHARED_CONSTANT MATERIAL_TEXTURES = 7;
+
+/// What a draw is made with: specialization constants. Bit i: it has texture i.
 SHARED_CONSTANT HAS_ALPHA_MASK = 128;
 SHARED_CONSTANT IS_UNLIT = 256;
 SHARED_CONSTANT HAS_TEXTURE_PLACES = 512;  // some texture reads uv1, or a transformed uv
@@ -62,7 +64,7 @@ struct MaterialData {
 
 /// Where a material with HAS_TEXTURE_PLACES reads its textures.
 struct TexturePlaces {
-  mat3x2 uv_transforms[7];
+  mat3x2 uv_transforms[MATERIAL_TEXTURES];
   uint uv_sets;  // bit i: texture i reads uv1
 };
 

@@ -100,7 +100,7 @@ TEST(Rigs, PassKeepsTheMiddleOfTheVehicleInThePictureAndCrossesIt) {
       const Instant instant = find_rig("pass")->at(context, frame * seconds_per_frame);
       const dvec2 middle = projected(instant, dvec3(instant.vehicle * dvec4(0, 0.7, 0, 1)));
       ASSERT_TRUE(inside(middle)) << seed << " " << frame;
-      if (frame < 48) least = std::min(least, middle.x), most = std::max(most, middle.x);
+      if (frame < 90) least = std::min(least, middle.x), most = std::max(most, middle.x);
     }
     EXPECT_LT(least, -0.5) << seed;
     EXPECT_GT(most, 0.5) << seed;
@@ -112,7 +112,7 @@ TEST(Rigs, PassHoldsTheCameraStill) {
   const Instant first = find_rig("pass")->at(context, 0), later = find_rig("pass")->at(context, 0.4);
   EXPECT_EQ(first.eye, later.eye);
   EXPECT_EQ(first.camera, later.camera);
-  EXPECT_NEAR(later.wheel_travel - first.wheel_travel, 5.5, 0.8);
+  EXPECT_NEAR(later.wheel_travel - first.wheel_travel, 2, 0.5);
 }
 
 // The guard rails stand 6 m right and 11 m left of the path.
@@ -172,7 +172,7 @@ TEST(Rigs, SeedsDiffer) {
 TEST(Rigs, TheShadowIsInThePicture) {
   for (uint64_t seed = 1; seed < 10; ++seed)
     for (const Rig& rig : rigs()) {
-      const Instant instant = rig.at(context_for(car, seed), 0.3);
+      const Instant instant = rig.at(context_for(car, seed), 0.75);
       const dvec3 roof(instant.vehicle * dvec4(0, 1.4, 0, 1));
       const dvec3 shadow = roof - instant.towards_sun * (roof.y / instant.towards_sun.y);
       EXPECT_TRUE(inside(projected(instant, shadow))) << rig.name << " " << seed;

@@ -73,6 +73,14 @@ TEST(Run, WrongWordsAreTwoAndOneSentence) {
       {{"measure", "--set", "jitter=halton-8"}, "without jitter"},
       {{"measure", "--set", "jitter-scale=0.5"}, "without jitter"},
       {{"modes", "--size", "4x4"}, "--size"},
+      {{"capture", "-o"}, "--output wants a value"},
+      {{"capture", "-o", "a.png", "-o", "b.png"}, "--output takes one value"},
+      {{"capture", "--set", "-o", "a.png"}, "--set: a value is missing"},
+      {{"compare", "--modes", ",", "-o", "a.png"}, "--modes: a value is missing"},
+      {{"compare", "--modes", "blend,blend", "-o", "a.png"}, "blend more than once"},
+      {{"compare", "--modes", "all,off", "-o", "a.png"}, "off more than once"},
+      {{"capture", "-q", "-v", "-o", "a.png"}, "do not go together"},
+      {{"capture", "", "-o", "a.png"}, "name is empty"},
   };
   for (const auto& [words, expected] : cases) {
     const Outcome wrong = outcome(words);

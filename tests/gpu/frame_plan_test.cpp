@@ -90,6 +90,23 @@ TEST(FramePlan, DropsAttachmentsThatNobodyReads) {
   for (const ImageBarrier& barrier : plan.passes[0].barriers) EXPECT_NE(barrier.image, object);
 }
 
+TEST(FramePlan, KeepsAttachmentsTogetherThatSaySo) {
+  Declared d;
+  const ImageRef read = d.image("read"), beside = d.image("beside"), alone = d.image("alone"),
+                 out = d.image("out");
+  d.graph.pass({.name = "draws",
+                .kind = PassKind::raster,
+                .attachments = {{.image = read, .clear = VkClearValue{}, .together = true},
+                                {.image = beside, .clear = VkClearValue{}, .together = true},
+                                {.image = alone, .clear = VkClearValue{}}}});
+  d.compute("reads one", {read}, {out});
+  d.graph.want(out);
+  const FramePlan plan = cull(d.graph);
+  EXPECT_TRUE(plan.images[beside.index].live);
+  EXPECT_TRUE(plan.images[beside.index].needed);
+  EXPECT_FALSE(plan.images[alone.index].needed);
+}
+
 TEST(FramePlan, WhatIsOverwrittenUnseenIsNotMade) {
   Declared d;
   const ImageRef a = d.image("a");

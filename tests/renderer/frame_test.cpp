@@ -1,5 +1,7 @@
 // What a frame is made of: what nobody asks for is not drawn, and one geometry feeds many resolves.
 #include <algorithm>
+#include <cmath>
+#include <set>
 #include <tuple>
 
 #include "tests/renderer/studio.h"
@@ -115,6 +117,35 @@ TEST_F(Frame, ACutLeavesNothingOfBefore) {
   const std::vector<uint8_t> after_cut = studio->renderer.render(cut).delivered[0].picture.rgba;
   Renderer fresh(studio->device, studio->data.shaders, studio->staged.scene);
   EXPECT_EQ(fresh.render(cut).delivered[0].picture.rgba, after_cut);
+}
+
+// Sectors of the road are turned into place one by one, which rounds: between them, too, is asphalt.
+TEST_F(Frame, NoSkyIsSeenThroughTheRoad) {
+  size_t holes = 0, pixels = 0;
+  for (int index = 0; index < 64; index += 3) {
+    FrameInput input = studio->frame("drive", index, {run_of("off")}, {{Output::depth}});
+    input.width = 640, input.height = 360;
+    const FloatImage depth = studio->renderer.render(input).delivered[0].image;
+    for (size_t pixel = size_t(depth.width) * 200; pixel < depth.values.size(); ++pixel, ++pixels)
+      holes += !std::isfinite(depth.values[pixel]);
+  }
+  EXPECT_LT(double(holes), 1e-6 * double(pixels)) << holes;
+}
+
+// Each reads other images of the frame, and what nobody reads is not made.
+TEST_F(Frame, EveryViewIsDrawnWithAndWithoutAHistoryAndShowsSomethingElse) {
+  std::set<std::vector<uint8_t>> pictures;
+  for (const Answer& view : answers<View>())
+    for (const char* mode : {"off", "grand-tour"}) {
+      std::vector<uint8_t> picture;
+      for (int index = 0; index < 3; ++index) {
+        FrameInput input = studio->frame("drive", index, {run_of(mode)}, {{Output::display}});
+        input.settings.view = View(view.value);
+        picture = studio->renderer.render(input).delivered[0].picture.rgba;
+      }
+      if (std::string_view(mode) == "grand-tour") pictures.insert(picture);
+    }
+  EXPECT_EQ(pictures.size(), answers<View>().size());
 }
 
 } // namespace

@@ -105,6 +105,7 @@ std::vector<uint8_t> read_file(const fs::path& path, size_t limit) {
   size_t filled = 0;
   while (filled < bytes.size()) {
     const ssize_t got = read(descriptor, bytes.data() + filled, bytes.size() - filled);
+    if (got < 0 && errno == EINTR) continue;
     if (got < 0) refuse(std::strerror(errno));
     if (got == 0) break;
     filled += size_t(got);

@@ -47,8 +47,11 @@ FrameInput frame_input(const Shot& shot, const RigContext& context, std::span<co
 Headless::Headless(const CommandLine& line, const Shot& shot, Console& console)
     : line_(line), shot_(shot), console_(console) {
   const DataFolders folders = find_data_folders();
+  device_ = std::make_unique<Device>(DeviceRequest{.which = line.device, .validate = line.validate});
+  LoadLimits limits;
+  limits.image_side = std::min(limits.image_side, device_->largest_image_side());
   Staged staged = build_stage(scene_file(shot.scene, folders.assets), scene_file(own_scene, folders.assets),
-                              shot.settings.stage);
+                              shot.settings.stage, limits);
   context_ = {.seed = shot.seed,
               .track_radius = staged.track_radius,
               .vehicle = staged.vehicle,
@@ -57,7 +60,6 @@ Headless::Headless(const CommandLine& line, const Shot& shot, Console& console)
   if (!console.quiet)
     for (const std::string& warning : staged.scene.warnings)
       console.err << shot.scene << ": " << warning << "\n";
-  device_ = std::make_unique<Device>(DeviceRequest{.which = line.device, .validate = line.validate});
   if (!console.quiet) say_banner();
   renderer_ = std::make_unique<Renderer>(*device_, folders.shaders, std::move(staged.scene));
 }
@@ -97,6 +99,7 @@ void Headless::show_progress(uint32_t done) const {
 }
 
 void Headless::note_passes(const FrameResult& result) {
+  image_bytes_ = std::max(image_bytes_, result.image_bytes);
   std::map<std::string, PassReport> of_frame;
   for (const PassReport& pass : result.passes) {
     if (!pass_records_.contains(pass.name) && !of_frame.contains(pass.name)) pass_order_.push_back(pass.name);
@@ -106,7 +109,7 @@ void Headless::note_passes(const FrameResult& result) {
   for (const auto& [name, sum] : of_frame) {
     PassRecord& record = pass_records_[name];
     ++record.frames;
-    if (sum.ms > 0) record.ms.push_back(sum.ms);
+    record.ms.push_back(sum.ms);
     record.image_bytes = std::max(record.image_bytes, sum.image_bytes);
   }
 }
@@ -133,13 +136,13 @@ nlohmann::json Headless::facts() const {
 void Headless::finish() const {
   if (line_.timings) {
     Table table{{"pass", "frames", "ms", "images MiB"}};
-    double total_ms = 0, total_mib = 0;
+    double total_ms = 0;
     for (const PassSummary& pass : passes()) {
       const double mib = double(pass.image_bytes) / (1 << 20);
-      total_ms += pass.ms * double(pass.frames) / shot_.frames, total_mib += mib;
+      total_ms += pass.ms * double(pass.frames) / shot_.frames;
       table.add({pass.name, std::to_string(pass.frames), fixed(pass.ms, 2), fixed(mib, 1)});
     }
-    table.add({"a frame", "", fixed(total_ms, 2), fixed(total_mib, 1)});
+    table.add({"a frame", "", fixed(total_ms, 2), fixed(double(image_bytes_) / (1 << 20), 1)});
     console_.err << table.text();
   }
   const std::vector<std::string>& messages = device_->validation_messages();

@@ -70,6 +70,7 @@ private:
   std::unique_ptr<Renderer> renderer_;
   std::vector<std::string> pass_order_;
   std::map<std::string, PassRecord> pass_records_;
+  uint64_t image_bytes_ = 0; // the most that a frame has
 };
 
 /// What came of the first Wanted of that kind and mode. It must have been wanted.

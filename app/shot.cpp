@@ -220,6 +220,11 @@ void drop_jitter(const CommandLine& line, const std::vector<Assignment>& assignm
   for (ModeRun& run : shot.modes) run.taa.policy.jitter = Jitter::none;
 }
 
+// What a picture carries is JSON, which has no other names.
+bool is_utf8(const std::string& text) {
+  return json::parse(json(text).dump(-1, ' ', false, json::error_handler_t::replace)) == json(text);
+}
+
 void check_rig(const std::string& name) {
   if (find_rig(name)) return;
   std::vector<std::string> known;
@@ -230,6 +235,7 @@ void check_rig(const std::string& name) {
 } // namespace
 
 Shot shot_from(const CommandLine& line) {
+  if (line.scene && !is_utf8(*line.scene)) throw WrongWords("the scene's name is not UTF-8");
   Shot shot;
   shot.command = line.command->name;
   shot.modes = default_modes(*line.command);

@@ -18,8 +18,8 @@ constexpr float least_plausible_m = 0.5f, most_plausible_m = 20;
 // A model this much wider than long stands across its direction.
 constexpr float clearly_wider = 1.05f;
 
-Scene load(const std::filesystem::path& file) {
-  std::variant<Scene, Refusal> loaded = load_scene(file);
+Scene load(const std::filesystem::path& file, const LoadLimits& limits) {
+  std::variant<Scene, Refusal> loaded = load_scene(file, limits);
   if (const Refusal* refusal = std::get_if<Refusal>(&loaded))
     throw Failure(Exit::input_refused, refusal->sentence());
   return std::get<Scene>(std::move(loaded));
@@ -87,17 +87,17 @@ Scene staged_model(Scene surroundings, const Scene& model, const Trs& fit) {
   return surroundings;
 }
 
-Scene surroundings_of(const std::filesystem::path& road, Stage stage) {
+Scene surroundings_of(const std::filesystem::path& road, Stage stage, const LoadLimits& limits) {
   if (stage == Stage::none) return {};
-  Scene scene = load(road);
+  Scene scene = load(road, limits);
   return scene.vehicle < 0 ? scene : without(scene, scene.vehicle);
 }
 
 } // namespace
 
 Staged build_stage(const std::filesystem::path& file, const std::filesystem::path& road,
-                   const StageSettings& settings) {
-  Staged staged{.scene = load(file), .vehicle = {}};
+                   const StageSettings& settings, const LoadLimits& limits) {
+  Staged staged{.scene = load(file, limits), .vehicle = {}};
   if (staged.scene.vehicle >= 0 && staged.scene.track) {
     refuse_model_settings(settings);
   } else {
@@ -107,7 +107,7 @@ Staged build_stage(const std::filesystem::path& file, const std::filesystem::pat
     else if (!has_size(bounds.high - bounds.low))
       staged.scene.warnings.push_back("it has no size, and is drawn as it is");
     const Trs fit = bounds.empty() ? Trs{} : fit_of(bounds, staged.scene.vehicle >= 0, settings);
-    staged.scene = staged_model(surroundings_of(road, settings.stage), staged.scene, fit);
+    staged.scene = staged_model(surroundings_of(road, settings.stage, limits), staged.scene, fit);
   }
   const Bounds vehicle = vehicle_bounds(staged.scene);
   if (!vehicle.empty() && has_size(vehicle.high - vehicle.low)) staged.vehicle = vehicle;

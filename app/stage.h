@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "renderer/scene/scene.h"
+#include "renderer/scene/load.h"
 #include "renderer/settings.h"
 
 namespace unghost {
@@ -17,6 +17,6 @@ struct Staged {
 /// `file` is a scene of its own where it has a vehicle and a track; else it is a model, and takes the place
 /// of the car in `road`. Throws Failure(input_refused) with the file and the reason.
 Staged build_stage(const std::filesystem::path& file, const std::filesystem::path& road,
-                   const StageSettings& settings);
+                   const StageSettings& settings, const LoadLimits& limits = {});
 
 } // namespace unghost

@@ -24,7 +24,7 @@ struct Objects {
 
 Objects place_objects(const FrameInput& input, const Scene& scene, const GpuScene& gpu,
                       const std::vector<glm::dmat4>& now) {
-  const std::vector<glm::dmat4> before = input.cut ? now : pose(scene, input.before);
+  const std::vector<glm::dmat4> before = pose(scene, input.before);
   Objects objects;
   for (const int node : gpu.object_nodes) {
     const glm::dmat4 eye_from_object = relative_to(input.now.eye, now[size_t(node)]);
@@ -162,8 +162,10 @@ std::vector<const TaaSettings*> share_geometries(const FrameInput& input, std::v
 
 } // namespace
 
-FrameSetup describe_frame(const FrameInput& input, const Scene& scene, const GpuScene& gpu,
+FrameSetup describe_frame(const FrameInput& given, const Scene& scene, const GpuScene& gpu,
                           FrameMemory& memory, LastFrame& before) {
+  FrameInput input = given;
+  if (input.cut) input.before = input.now; // nothing of before may be used
   const std::vector<glm::dmat4> now = pose(scene, input.now);
   const Objects objects = place_objects(input, scene, gpu, now);
   const std::vector<LightData> lights = place_lights(input, scene, now);
@@ -172,7 +174,7 @@ FrameSetup describe_frame(const FrameInput& input, const Scene& scene, const Gpu
   describe_light(constants, input);
   const std::vector<double> map_place = describe_shadow_map(constants, input);
   FrameContext in{.scene = gpu,
-                  .modes = input.modes,
+                  .modes = given.modes,
                   .view = input.settings.view,
                   .size = {input.width, input.height},
                   .index = input.index,

@@ -1,4 +1,4 @@
-// Every setting there is, as plain data with its default in place. The table in settings.cpp gives each its
+// Every setting there is, as plain data with its default in place. The table in settings_table.cpp gives each its
 // name, unit, range and source; the command line, the panel, JSON and the pictures' metadata all go through
 // that table.
 #pragma once

@@ -35,8 +35,6 @@ constexpr Condition tests_near_moving{[](const Settings& s) {
                                                has(s.taa.policy.reject, Reject::near_moving);
                                       },
                                       "nothing but reject=near-moving reads it"};
-constexpr Condition has_sun{[](const Settings& s) { return s.light.sun_illuminance > 0; },
-                            "sun=0 casts no shadow"};
 
 constexpr std::string_view px = "pixels", m = "metres", deg = "degrees", tour = "The Grand Tour Game";
 

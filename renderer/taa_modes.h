@@ -1,5 +1,5 @@
-// A mode is a row of answers to the questions that every temporal resolve asks. The command line, the panel,
-// the comparison, the report and the README's table iterate over these rows.
+// A mode is a row of answers to the questions that every temporal resolve asks. The command line,
+// the comparison, the measurements, the tests and the README's table iterate over these rows.
 #pragma once
 
 #include <cstdint>

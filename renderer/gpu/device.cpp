@@ -73,7 +73,9 @@ void Device::create_device(VkPhysicalDevice physical) {
   vkGetPhysicalDeviceMemoryProperties(physical, &memory_);
   Features features;
   for (const NeededFeature& feature : needed_features()) feature.in(features) = VK_TRUE;
-  const uint32_t family = uint32_t(queue_family(physical));
+  const QueueFamily chosen = queue_family(physical);
+  const uint32_t family = uint32_t(chosen.index);
+  tick_mask_ = chosen.timestamp_bits < 64 ? (uint64_t(1) << chosen.timestamp_bits) - 1 : ~uint64_t(0);
   const float priority = 1;
   const VkDeviceQueueCreateInfo queue{.sType = VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO,
                                       .queueFamilyIndex = family,

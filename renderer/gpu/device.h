@@ -37,6 +37,8 @@ public:
   /// What the validation layer has said so far.
   const std::vector<std::string>& validation_messages() const { return messages_; }
   uint32_t largest_image_side() const { return properties_.limits.maxImageDimension2D; }
+  /// Of a difference of timestamps: the bits that the queue counts with.
+  uint64_t tick_mask() const { return tick_mask_; }
   double nanoseconds_per_tick() const { return properties_.limits.timestampPeriod; }
   uint64_t buffer_alignment() const;
 
@@ -61,6 +63,7 @@ private:
   VkDebugUtilsMessengerEXT messenger_ = VK_NULL_HANDLE;
   VkPhysicalDeviceProperties properties_{};
   VkPhysicalDeviceMemoryProperties memory_{};
+  uint64_t tick_mask_ = 0;
   VkDevice device_ = VK_NULL_HANDLE;
   VkQueue queue_ = VK_NULL_HANDLE;
   OwnedCommandPool pool_;

@@ -149,7 +149,8 @@ RunResult GraphRunner::run(const FrameGraph& graph) {
   const GivenBack given_back{memory_};
   FramePlan plan = cull(graph);
   const std::vector<uint32_t> places = assign(graph, plan);
-  derive_barriers(graph, plan, places, states_);
+  std::vector<ImageState> states = states_;
+  derive_barriers(graph, plan, places, states);
   prepare_queries(plan.passes.size() + 1);
   while (readbacks_.size() < graph.readbacks().size()) readbacks_.push_back(nullptr);
 
@@ -165,7 +166,8 @@ RunResult GraphRunner::run(const FrameGraph& graph) {
       vkCmdWriteTimestamp2(commands, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, queries_, uint32_t(i + 1));
     }
   });
-  note_kept(graph, plan); // only now: what was not carried out holds nothing
+  states_ = std::move(states);
+  note_kept(graph, plan); // only now: what was not carried out changed nothing
   RunResult result;
   collect(graph, plan, places, result);
   forget_unused(graph.frame());
@@ -181,7 +183,8 @@ void GraphRunner::collect(const FrameGraph& graph, const FramePlan& plan, const 
   std::vector<bool> counted(pool_.size(), false);
   for (size_t i = 0; i < plan.passes.size(); ++i) {
     PassTime time{.name = graph.passes()[plan.passes[i].pass].name,
-                  .ms = double(ticks[i + 1] - ticks[i]) * device_.nanoseconds_per_tick() * 1e-6};
+                  .ms = double((ticks[i + 1] - ticks[i]) & device_.tick_mask()) *
+                        device_.nanoseconds_per_tick() * 1e-6};
     for (size_t image = 0; image < places.size(); ++image)
       if (places[image] != nowhere && plan.images[image].first_pass == i && !counted[places[image]]) {
         time.image_bytes += pool_[places[image]].image->bytes;

@@ -2,7 +2,6 @@
 // names.
 #pragma once
 
-#include <list>
 #include <memory>
 
 #include "renderer/gpu/frame_memory.h"

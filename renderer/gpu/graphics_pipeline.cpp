@@ -27,8 +27,11 @@ VkPipelineColorBlendAttachmentState written(VkFormat format) {
 }
 
 std::string key_of_graphics(const GraphicsDesc& d, VkPipelineLayout layout) {
-  return key_of(d.vertex, d.fragment, list_of(d.constants), list_of(d.colours), d.depth, d.writes_stencil,
-                d.compare, d.depth_bias, d.depth_bias_slope, layout);
+  std::vector<uint32_t> vertex{d.vertex_binding.stride};
+  for (const VkVertexInputAttributeDescription& a : d.vertex_attributes)
+    vertex.insert(vertex.end(), {a.location, uint32_t(a.format), a.offset});
+  return key_of(d.vertex, d.fragment, list_of(d.constants), list_of(d.colours), list_of(vertex), d.depth,
+                d.writes_stencil, d.compare, d.depth_bias_slope, layout);
 }
 
 /// All of a graphics pipeline but its stages: structs that point at each other, so it stays where it is.
@@ -59,8 +62,7 @@ FixedState::FixedState(const GraphicsDesc& desc) : depth(depth_state(desc)) {
       .sType = VK_STRUCTURE_TYPE_PIPELINE_VIEWPORT_STATE_CREATE_INFO, .viewportCount = 1, .scissorCount = 1};
   raster = {.sType = VK_STRUCTURE_TYPE_PIPELINE_RASTERIZATION_STATE_CREATE_INFO,
             .polygonMode = VK_POLYGON_MODE_FILL,
-            .depthBiasEnable = desc.depth_bias != 0 || desc.depth_bias_slope != 0,
-            .depthBiasConstantFactor = desc.depth_bias,
+            .depthBiasEnable = desc.depth_bias_slope != 0,
             .depthBiasSlopeFactor = desc.depth_bias_slope,
             .lineWidth = 1};
   samples = {.sType = VK_STRUCTURE_TYPE_PIPELINE_MULTISAMPLE_STATE_CREATE_INFO,

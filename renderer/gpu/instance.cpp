@@ -64,7 +64,7 @@ std::string missing_format(VkPhysicalDevice physical) {
 
 std::string missing_of(VkPhysicalDevice physical, uint32_t api_version) {
   if (api_version < VK_API_VERSION_1_3) return "Vulkan 1.3";
-  if (queue_family(physical) < 0) return "a queue for graphics and compute with timestamps";
+  if (queue_family(physical).index < 0) return "a queue for graphics and compute with timestamps";
   if (!has_extension(physical, VK_KHR_PUSH_DESCRIPTOR_EXTENSION_NAME)) return "VK_KHR_push_descriptor";
   if (const std::string format = missing_format(physical); !format.empty()) return format;
   VkPhysicalDeviceProperties properties{};
@@ -148,15 +148,16 @@ std::vector<VkPhysicalDevice> physical_devices(VkInstance instance) {
   return devices;
 }
 
-int queue_family(VkPhysicalDevice physical) {
+QueueFamily queue_family(VkPhysicalDevice physical) {
   uint32_t count = 0;
   vkGetPhysicalDeviceQueueFamilyProperties(physical, &count, nullptr);
   std::vector<VkQueueFamilyProperties> families(count);
   vkGetPhysicalDeviceQueueFamilyProperties(physical, &count, families.data());
   constexpr VkQueueFlags both = VK_QUEUE_GRAPHICS_BIT | VK_QUEUE_COMPUTE_BIT;
   for (uint32_t i = 0; i < count; ++i)
-    if ((families[i].queueFlags & both) == both && families[i].timestampValidBits > 0) return int(i);
-  return -1;
+    if ((families[i].queueFlags & both) == both && families[i].timestampValidBits > 0)
+      return {int(i), families[i].timestampValidBits};
+  return {};
 }
 
 DeviceFacts facts_of(VkPhysicalDevice physical) {

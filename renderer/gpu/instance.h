@@ -14,8 +14,12 @@ VkInstance create_instance(bool validate);
 VkDebugUtilsMessengerEXT listen(VkInstance instance, std::vector<std::string>& messages);
 std::vector<VkPhysicalDevice> physical_devices(VkInstance instance);
 DeviceFacts facts_of(VkPhysicalDevice physical);
-/// The queue family with graphics and compute; -1 where there is none.
-int queue_family(VkPhysicalDevice physical);
+/// The queue family with graphics, compute and timestamps; index -1 where there is none.
+struct QueueFamily {
+  int index = -1;
+  uint32_t timestamp_bits = 0;
+};
+QueueFamily queue_family(VkPhysicalDevice physical);
 
 /// The features that unghost cannot do without, chained for vkGetPhysicalDeviceFeatures2 and vkCreateDevice.
 struct Features {

@@ -22,7 +22,7 @@ struct GraphicsDesc {
   VkFormat depth = VK_FORMAT_UNDEFINED;
   bool writes_stencil = false;
   VkCompareOp compare = VK_COMPARE_OP_GREATER_OR_EQUAL;
-  float depth_bias = 0, depth_bias_slope = 0;
+  float depth_bias_slope = 0;
   VkVertexInputBindingDescription vertex_binding{};
   std::vector<VkVertexInputAttributeDescription> vertex_attributes;
 };

@@ -5,8 +5,8 @@
 namespace unghost {
 namespace {
 
-// Half a texel of slope is what a 3x3 filter needs; the constant is for surfaces that face the sun.
-constexpr float shadow_bias = 2.0f, shadow_bias_slope = 1.5f;
+// What a 3x3 filter needs of slope; light.comp looks from a little above the surface beside.
+constexpr float shadow_bias_slope = 1.5f;
 
 std::vector<VkVertexInputAttributeDescription> vertex_attributes() {
   return {{0, 0, VK_FORMAT_R32G32B32_SFLOAT, offsetof(Vertex, position)},
@@ -34,7 +34,6 @@ GraphicsDesc pipeline_of(const PassCommands& commands, const DrawStyle& style, u
         masked ? features & (HAS_ALPHA_MASK | 1u << TEXTURE_BASE_COLOUR | HAS_TEXTURE_PLACES) : 0u, 0u};
     if (!masked) desc.fragment.clear();
     desc.compare = VK_COMPARE_OP_LESS_OR_EQUAL;
-    desc.depth_bias = shadow_bias;
     desc.depth_bias_slope = shadow_bias_slope;
   }
   return desc;

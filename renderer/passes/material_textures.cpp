@@ -103,7 +103,8 @@ VkSampler MaterialTextures::sampler(const Device& device, const TextureUse& use)
     const VkSamplerCreateInfo info{.sType = VK_STRUCTURE_TYPE_SAMPLER_CREATE_INFO,
                                    .magFilter = filter(use.magnify),
                                    .minFilter = filter(use.minify),
-                                   .mipmapMode = VK_SAMPLER_MIPMAP_MODE_LINEAR,
+                                   .mipmapMode = use.mipmapped ? VK_SAMPLER_MIPMAP_MODE_LINEAR
+                                                               : VK_SAMPLER_MIPMAP_MODE_NEAREST,
                                    .addressModeU = address(use.wrap_u),
                                    .addressModeV = address(use.wrap_v),
                                    .maxLod = use.mipmapped ? VK_LOD_CLAMP_NONE : 0.25f};

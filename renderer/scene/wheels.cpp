@@ -66,6 +66,26 @@ std::vector<int> wheel_nodes(const Scene& scene) {
   return wheels;
 }
 
+/// A matrix stands above the rotation that turns a wheel: it becomes its translation, rotation and scale,
+/// where it is no more than these.
+void take_matrix_apart(Node& node) {
+  if (!node.matrix) return;
+  const glm::mat4 matrix = *node.matrix;
+  glm::mat3 axes(matrix);
+  Trs local{.translation = glm::vec3(matrix[3]),
+            .scale = {glm::length(axes[0]), glm::length(axes[1]), glm::length(axes[2])}};
+  if (glm::determinant(axes) < 0) local.scale.x = -local.scale.x;
+  for (int i = 0; i < 3; ++i) axes[i] /= local.scale[i];
+  local.rotation = glm::normalize(glm::quat_cast(axes));
+  const glm::dmat4 again = matrix_of(local);
+  const float largest = std::max({local.scale.y, local.scale.z, std::abs(local.scale.x)});
+  for (int column = 0; column < 4; ++column)
+    for (int row = 0; row < 4; ++row) // written so that NaN is refused, too
+      if (!(std::abs(again[column][row] - double(matrix[column][row])) <= 1e-4 * double(largest))) return;
+  node.local = local;
+  node.matrix.reset();
+}
+
 /// The radius of what a node draws, in its parent's space and without its own rotation; 0 where that is not
 /// as high as it is long: then it does not roll about x.
 float radius_of(const Scene& scene, int wheel) {
@@ -97,6 +117,8 @@ bool is_wheel_name(std::string_view name) {
 }
 
 void find_wheels_by_name(Scene& scene) {
+  for (Node& node : scene.nodes)
+    if (node.wheel) take_matrix_apart(node);
   if (std::ranges::any_of(scene.nodes, [](const Node& node) { return node.wheel.has_value(); })) return;
   const std::vector<int> wheels = wheel_nodes(scene);
   if (wheels.empty()) return;
@@ -107,6 +129,7 @@ void find_wheels_by_name(Scene& scene) {
   const auto [rear, front] = std::ranges::minmax(wheels, {}, z);
   const double middle = 0.5 * (z(rear) + z(front));
   for (const int node : wheels) {
+    take_matrix_apart(scene.nodes[size_t(node)]);
     const float radius = radius_of(scene, node);
     if (radius > 0) {
       scene.nodes[size_t(node)].wheel = Wheel{radius, names_tell ? is_front(node) : z(node) > middle};

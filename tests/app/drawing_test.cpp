@@ -1,6 +1,7 @@
 // Whole runs on a real device, small.
 #include <cmath>
 #include <map>
+#include <sstream>
 
 #include <ImfChannelList.h>
 #include <ImfFrameBuffer.h>
@@ -150,6 +151,14 @@ TEST_F(DrawingTest, APassCountsOnceAFrame) {
   };
   EXPECT_EQ(frames_of("light"), 3) << drawn.err;
   EXPECT_EQ(frames_of("tone map"), 1) << drawn.err;
+  std::istringstream lines(drawn.err);
+  double sum = 0, whole = 0; // MiB, the last word of a line of the table
+  for (std::string line; std::getline(lines, line);) {
+    const double mib = std::atof(line.substr(line.find_last_of(' ') + 1).c_str());
+    (line.starts_with("a frame") ? whole : sum) += mib;
+  }
+  EXPECT_GT(whole, 0) << drawn.err;
+  EXPECT_LT(whole, sum) << "what is kept is another pass's in another frame\n" << drawn.err;
 }
 
 TEST_F(DrawingTest, AModelThatIsASinglePointDraws) {

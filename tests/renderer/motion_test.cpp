@@ -110,5 +110,12 @@ TEST_F(Motion, OfWhatWasBehindTheCameraIsFarOutsideThePicture) {
   }
 }
 
+TEST_F(Motion, ACutHasNone) {
+  FrameInput input = studio->frame("drive", 20, {run_of("grand-tour")}, {{Output::motion}});
+  input.cut = true; // and `before` is where the frame before was
+  const FrameResult result = studio->renderer.render(input);
+  for (const float value : result.delivered[0].image.values) ASSERT_EQ(value, 0);
+}
+
 } // namespace
 } // namespace unghost

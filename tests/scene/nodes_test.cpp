@@ -158,6 +158,25 @@ TEST(Wheels, without_front_in_a_name_the_greater_z_steers) {
   EXPECT_TRUE(scene.nodes[1].wheel.value().steers);
 }
 
+TEST(Wheels, a_matrix_is_taken_apart_so_that_they_can_turn_unless_it_is_more) {
+  Document document;
+  const int tyre = box(document, {0.2f, 0.6f, 0.6f});
+  // a quarter turn about x, twice as large, 3 m ahead; and one that shears
+  document.json["nodes"] = {
+      {{"name", "wheel front"},
+       {"mesh", tyre},
+       {"matrix", {2, 0, 0, 0, 0, 0, 2, 0, 0, -2, 0, 0, 0, 0, 3, 1}}},
+      {{"name", "wheel back"}, {"mesh", tyre}, {"matrix", {1, 0, 0, 0, 1, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}}}};
+  const Scene scene = scene_of(document);
+  const Node &front = scene.nodes[0], &back = scene.nodes[1];
+  ASSERT_TRUE(front.wheel);
+  EXPECT_FLOAT_EQ(front.wheel->radius, 0.6f);
+  EXPECT_FALSE(front.matrix);
+  EXPECT_NEAR(front.local.rotation.x, std::sqrt(0.5), 1e-6);
+  EXPECT_EQ(front.local.translation, glm::vec3(0, 0, 3));
+  EXPECT_TRUE(back.matrix);
+}
+
 TEST(Bounds, of_a_scene_and_of_a_subtree) {
   Document document;
   const int mesh = box(document, {2, 2, 2});

@@ -1,6 +1,7 @@
 #include "app/command_line.h"
 
 #include <charconv>
+#include <cstdlib>
 #include <limits>
 
 #include <CLI/CLI.hpp>
@@ -158,6 +159,9 @@ uint64_t seed_of(const std::string& text) {
 std::variant<CommandLine, HelpText, VersionAsked> parse_command_line(std::span<const char* const> words) {
   CommandLine line;
   bool version = false;
+  const char* validate = std::getenv("UNGHOST_VALIDATE");
+  if (validate != nullptr && validate != std::string_view("0") && validate != std::string_view("1"))
+    throw WrongWords("UNGHOST_VALIDATE is 0 or 1, not '" + std::string(validate) + "'");
   const std::unique_ptr<CLI::App> app = grammar(line, version);
   for (CLI::App* command : app->get_subcommands(nullptr)) command->allow_extras();
   try {

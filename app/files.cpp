@@ -25,6 +25,12 @@ fs::path behind_links(const fs::path& path) {
   return fs::is_symlink(path, ignored) ? fs::weakly_canonical(path, ignored) : path;
 }
 
+fs::path folder_of(const fs::path& path) { return path.has_parent_path() ? path.parent_path() : "."; }
+
+fs::path beside(const fs::path& path) {
+  return path.parent_path() / ("." + path.filename().string() + "." + std::to_string(getpid()) + ".part");
+}
+
 } // namespace
 
 NewFile::NewFile(fs::path path) : path_(behind_links(path)) {
@@ -34,8 +40,12 @@ NewFile::NewFile(fs::path path) : path_(behind_links(path)) {
   if (exists && !S_ISREG(there.st_mode)) {
     descriptor_ = open(path_.c_str(), O_WRONLY | O_CLOEXEC);
   } else {
-    const std::string name = "." + path_.filename().string() + "." + std::to_string(getpid()) + ".part";
-    passing_name_ = path_.parent_path() / name;
+    descriptor_ = open(folder_of(path_).c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0666);
+    nameless_ = descriptor_ >= 0;
+  }
+  if (descriptor_ < 0 &&
+      (errno == EOPNOTSUPP || errno == EISDIR)) { // files without a name are not known there
+    passing_name_ = beside(path_);
     descriptor_ = open(passing_name_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_NOFOLLOW | O_CLOEXEC, 0666);
   }
   if (descriptor_ < 0) {
@@ -67,6 +77,16 @@ void NewFile::write(std::span<const uint8_t> bytes) {
 }
 
 void NewFile::commit() {
+  if (nameless_) {
+    passing_name_ = beside(path_);
+    unlink(passing_name_.c_str()); // of a process of that number that was killed just here
+    const std::string nameless = "/proc/self/fd/" + std::to_string(descriptor_);
+    if (linkat(AT_FDCWD, nameless.c_str(), AT_FDCWD, passing_name_.c_str(), AT_SYMLINK_FOLLOW) != 0) {
+      const int error = errno;
+      passing_name_.clear();
+      fail(error);
+    }
+  }
   const int closed = close(descriptor_);
   descriptor_ = -1;
   if (closed != 0) fail(errno);

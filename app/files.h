@@ -12,8 +12,9 @@ namespace unghost {
 /// A file that appears with its whole content, or not. Every fault is a Failure(failed) with path and reason.
 class NewFile {
 public:
-  /// Opens a file with a passing name in the folder of `path`, so that a folder that cannot be written to is
-  /// known before the work. What is there and no regular file (a device, a pipe) is written to directly.
+  /// Opens a file without a name in the folder of `path`, so that a folder that cannot be written to is known
+  /// before the work, and nothing stays behind whatever ends the process; with a passing name where the file
+  /// system knows no other. What is there and no regular file (a device, a pipe) is written to directly.
   explicit NewFile(std::filesystem::path path);
   ~NewFile();
   NewFile(const NewFile&) = delete;
@@ -26,8 +27,9 @@ public:
 private:
   [[noreturn]] void fail(int error) const;
 
-  std::filesystem::path path_, passing_name_; // the second is empty where it writes directly
+  std::filesystem::path path_, passing_name_; // the second is empty where nothing of that name is there
   int descriptor_ = -1;
+  bool nameless_ = false;
 };
 
 void write_file(const std::filesystem::path& path, std::span<const uint8_t> bytes);

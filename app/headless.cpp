@@ -81,15 +81,14 @@ void Headless::say_banner() const {
 
 void Headless::render(std::span<const ModeRun> modes, const Wants& wants, const Take& take) {
   for (uint32_t frame = 0; frame < shot_.frames; ++frame) {
-    throw_if_interrupted();
     FrameInput input = frame_input(shot_, context_, modes, frame);
     input.wanted = wants(frame);
     FrameResult result = renderer_->render(input);
     note_passes(result);
+    throw_if_interrupted(); // and not after a picture is in its place
     if (!input.wanted.empty()) take(frame, input.wanted, result);
     show_progress(frame + 1);
   }
-  throw_if_interrupted();
 }
 
 void Headless::show_progress(uint32_t done) const {

@@ -100,6 +100,9 @@ void measure(const CommandLine& line, Console& console) {
                               {"trail_shadow", figure(trail.shadow)}});
     table.add({shot.modes[mode].name, cell(trail.whole), cell(trail.surface), cell(trail.shadow)});
   }
+  if (!console.quiet && std::ranges::none_of(trails, [](const Trail& t) { return t.whole.has_value(); }))
+    console.err
+        << "no surface and no shadow changed in the frames that were measured, so there is no trail\n";
   console.out << (line.json ? object.dump(2) + "\n" : table.text());
   headless.finish();
 }

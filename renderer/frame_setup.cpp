@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <glm/gtc/matrix_transform.hpp>
+
 #include "renderer/frame.h"
 #include "renderer/pose.h"
 #include "renderer/scene/bounds.h"
@@ -62,6 +64,19 @@ double distance_to(const Bounds& box, const glm::dmat4& eye_from_object) {
   const glm::dvec3 middle = eye_from_object * glm::dvec4(glm::dvec3(box.low + box.high) * 0.5, 1);
   const glm::dvec3 corner = eye_from_object * glm::dvec4(glm::dvec3(box.high), 1);
   return glm::length(middle) - glm::length(corner - middle);
+}
+
+/// The body's underside hides the sky from the road; wheels reach below it, bumpers and mirrors beyond.
+void describe_underside(FrameConstants& constants, const FrameInput& input, const Bounds& vehicle) {
+  constants.underside_half = glm::vec2(0);
+  if (vehicle.empty()) return;
+  const glm::dvec3 low(vehicle.low), high(vehicle.high), size = high - low, middle = (low + high) / 2.0;
+  constexpr double clearance = 0.16, body = 0.9; // of its height; of its length and width
+  const glm::dmat4 eye_from_vehicle = relative_to(input.now.eye, input.now.vehicle);
+  const glm::dvec3 origin(middle.x, low.y + clearance * size.y, middle.z);
+  constants.underside_from_eye =
+      glm::dmat4x3(glm::inverse(eye_from_vehicle * glm::translate(glm::dmat4(1), origin)));
+  constants.underside_half = glm::dvec2(size.x, size.z) / 2.0 * body;
 }
 
 /// Fills `visible` and `casters`.
@@ -172,6 +187,7 @@ FrameSetup describe_frame(const FrameInput& given, const Scene& scene, const Gpu
   FrameConstants constants{};
   describe_camera(constants, input, {0, 0});
   describe_light(constants, input);
+  describe_underside(constants, input, gpu.vehicle);
   const std::vector<double> map_place = describe_shadow_map(constants, input);
   FrameContext in{.scene = gpu,
                   .modes = given.modes,

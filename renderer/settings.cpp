@@ -48,6 +48,9 @@ uint32_t answer_from(const Setting& row, std::string_view text) {
 
 uint32_t flags_from(const Setting& row, std::string_view text) {
   if (text == empty_flags) return 0;
+  if (("," + std::string(text) + ",").find("," + std::string(empty_flags) + ",") != std::string::npos)
+    throw SettingError(std::string(row.name) + "=" + std::string(empty_flags) + " stands alone, not in " +
+                       in_quotes(text));
   uint32_t flags = 0;
   for (size_t begin = 0; begin <= text.size();) {
     const size_t end = std::min(text.find(',', begin), text.size());

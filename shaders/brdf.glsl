@@ -31,21 +31,23 @@ float fresnel_weight(float cosine) {
   return m2 * m2 * m;
 }
 
-/// Share of the light from `to_light` that leaves towards `to_eye`, the cosine at the surface included.
-vec3 reflect_light(Surface s, vec3 to_eye, vec3 to_light) {
+/// Share of the light from `to_light` that leaves towards `to_eye`, the cosine at the surface included. A light that is no point widens the lobe to at least `source_alpha`.
+vec3 reflect_light(Surface s, vec3 to_eye, vec3 to_light, float source_alpha) {
   vec3 h = normalize(to_eye + to_light);
   float n_l = clamp(dot(s.normal, to_light), 0, 1), n_v = clamp(dot(s.normal, to_eye), 1e-3, 1);
+  // a normal that a map or an artist turned away from the eye would mirror a light behind it
+  float faces = smoothstep(-0.1, 0.1, dot(s.normal, to_eye));
   float n_h = clamp(dot(s.normal, h), 0, 1), l_h = clamp(dot(to_light, h), 0, 1);
   float f = fresnel_weight(l_h);
   vec3 f0 = mix(vec3(0.04), s.albedo, s.metalness);
   vec3 fresnel = f0 + (1 - f0) * f;
-  float alpha = s.roughness * s.roughness;
+  float alpha = max(s.roughness * s.roughness, source_alpha);
   vec3 diffuse = (1 - fresnel) * (1 - s.metalness) * s.albedo / pi;
-  vec3 base = diffuse + fresnel * (ggx(n_h, alpha) * smith_visibility(n_v, n_l, alpha));
+  vec3 base = diffuse + fresnel * (faces * ggx(n_h, alpha) * smith_visibility(n_v, n_l, alpha));
   if (s.coat > 0) {
-    float coat_alpha = s.coat_roughness * s.coat_roughness;
+    float coat_alpha = max(s.coat_roughness * s.coat_roughness, source_alpha);
     float coat_fresnel = (0.04 + 0.96 * f) * s.coat;
-    base = base * (1 - coat_fresnel) + coat_fresnel * ggx(n_h, coat_alpha) * smith_visibility(n_v, n_l, coat_alpha);
+    base = base * (1 - coat_fresnel) + coat_fresnel * faces * ggx(n_h, coat_alpha) * smith_visibility(n_v, n_l, coat_alpha);
   }
   return base * n_l;
 }

@@ -19,6 +19,8 @@ layout(set = 0, binding = LIGHT_LIGHTS, scalar) readonly buffer Lights { LightDa
 layout(set = 0, binding = LIGHT_OUT, rgba16f) uniform writeonly image2D lit_out;
 layout(set = 0, binding = LIGHT_VISIBILITY_OUT, r8) uniform writeonly image2D visibility_out;
 
+/// GGX of this width peaks where the sun's disc in visible_sky does: nothing mirrors more than there is.
+const float sun_alpha = 0.036;
 const float brightest = 60000;  // what a half float holds, and a little less
 
 /// How much of the sun is seen: 16 comparisons, weighted as a bilinear 3x3 filter of shadow texels.
@@ -42,6 +44,25 @@ float sun_visibility(vec3 position_eye, vec3 normal) {
     seen += dot(row, across) * down[y];
   }
   return mix(1, seen / 9, inside);
+}
+
+/// A quarter of the share of a level surface's sky that a rectangle above hides: its corner lies over the surface, its
+/// sides are x and z long, y above (the form factor of Hottel 1931, without the pi / 2).
+float corner_share(float x, float z, float y) {
+  float a = x * inversesqrt(x * x + y * y), b = z * inversesqrt(z * z + y * y);
+  return a * atan(z * inversesqrt(x * x + y * y)) + b * atan(x * inversesqrt(z * z + y * y));
+}
+
+/// How much of the sky the vehicle leaves to what lies below it: a shadow map knows the sun alone.
+float sky_share(vec3 position_eye, vec3 normal) {
+  vec3 at = frame.underside_from_eye * vec4(position_eye, 1);
+  vec2 half_side = frame.underside_half;
+  const float reach = 2.5;  // metres beyond which nothing is to be seen
+  if (half_side.x <= 0 || at.y > -0.02 || any(greaterThan(abs(at.xz), half_side + reach))) return 1;
+  vec2 low = -half_side - at.xz, high = half_side - at.xz;
+  float hidden = corner_share(high.x, high.y, at.y) - corner_share(low.x, high.y, at.y) -
+                 corner_share(high.x, low.y, at.y) + corner_share(low.x, low.y, at.y);
+  return 1 - clamp(hidden / (2 * pi), 0, 1) * max(normal.y, 0);
 }
 
 vec3 from_environment(Surface s, vec3 to_eye) {
@@ -68,7 +89,7 @@ vec3 from_lamps(Surface s, vec3 position_eye, vec3 to_eye) {
     float share = clamp(dot(lamp.direction_eye, -l) * lamp.spot_scale + lamp.spot_offset, 0, 1);
     float range = clamp(1 - pow(distance2 * lamp.inverse_range_squared, 2), 0, 1);
     float falloff = lamp.directional != 0 ? 1 : share * share * range / distance2;
-    sum += lamp.intensity * falloff * reflect_light(s, to_eye, l);
+    sum += lamp.intensity * falloff * reflect_light(s, to_eye, l, 0);
   }
   return sum;
 }
@@ -91,9 +112,9 @@ void main() {
     vec3 position_eye = ray * linear_depth(depth);
     vec3 to_eye = normalize(-ray);
     visibility = dot(normal, frame.towards_sun) > 0 ? sun_visibility(position_eye, normal) : 0;
-    colour = from_environment(s, to_eye) + from_lamps(s, position_eye, to_eye);
+    colour = from_environment(s, to_eye) * sky_share(position_eye, normal) + from_lamps(s, position_eye, to_eye);
     if (visibility > 0)
-      colour += reflect_light(s, to_eye, frame.towards_sun) * frame.sun_illuminance * visibility;
+      colour += reflect_light(s, to_eye, frame.towards_sun, sun_alpha) * frame.sun_illuminance * visibility;
     if (has_emissive) colour += texelFetch(emissive_map, pixel, 0).rgb;
   }
   imageStore(lit_out, pixel, vec4(min(colour, vec3(brightest)), 1));

@@ -20,9 +20,12 @@ vec3 sky_radiance(vec3 d, float roughness) {
 float value_noise(vec2 p) {
   vec2 cell = floor(p), at = p - cell;
   at = at * at * (3 - 2 * at);
-  vec4 corners = vec4(dot(cell, vec2(127.1, 311.7)));
-  corners += vec4(0, 127.1, 311.7, 438.8);
-  corners = fract(sin(corners) * 43758.5453);
+  uvec2 low = uvec2(ivec2(cell));
+  // of whole numbers, so that a corner is the same from each of its cells
+  uvec4 seed = (uvec4(low.x, low.x + 1, low.x, low.x + 1) * 1664525u) ^ (uvec4(low.y, low.y, low.y + 1, low.y + 1) * 22695477u);
+  seed = (seed ^ (seed >> 15)) * 2246822519u;
+  seed = (seed ^ (seed >> 13)) * 3266489917u;
+  vec4 corners = vec4((seed ^ (seed >> 16)) >> 8) / 16777216.0;
   return mix(mix(corners.x, corners.y, at.x), mix(corners.z, corners.w, at.x), at.y);
 }
 

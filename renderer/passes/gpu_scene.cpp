@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <tuple>
 
+#include "renderer/scene/animation.h"
+#include "renderer/scene/bounds.h"
+
 namespace unghost {
 namespace {
 
@@ -86,6 +89,10 @@ GpuScene::GpuScene(Device& device, const Scene& scene)
       traits.emissive |= shines(material);
     }
     object_nodes.push_back(int(n));
+  }
+  if (scene.vehicle >= 0) {
+    const glm::dmat4 world = world_matrices(scene, default_pose(scene))[size_t(scene.vehicle)];
+    vehicle = transformed(node_bounds(scene, scene.vehicle), glm::inverse(world));
   }
   std::ranges::stable_sort(draws, {},
                            [](const Draw& draw) { return std::tuple(draw.features, draw.material); });

@@ -31,6 +31,7 @@ struct GpuScene {
   /// The node of each object; as long as the objects of a frame.
   std::vector<int> object_nodes;
   SceneTraits traits;
+  Bounds vehicle; // in its own frame; empty where the scene has none
   std::vector<MaterialData> materials;
   GpuBuffer vertices, indices, texture_places;
   MaterialTextures textures;

@@ -36,6 +36,8 @@ struct FrameConstants {
   float exposure;
   float shadow_texels;          // along a side of the shadow map
   float shadow_texel_m;
+  mat4x3 underside_from_eye;    // the vehicle's underside: a rectangle about the origin in the plane y = 0, y upwards
+  vec2 underside_half;          // metres along its x and z; 0 where there is no vehicle
 };
 
 /// The textures of a material: their bindings in set 1, and their places in every array of textures.

@@ -88,5 +88,16 @@ TEST(MakeFolder, SaysWhyItCannot) {
   EXPECT_EQ(failure_of([&] { make_folder(folder.path / "file" / "b"); }).first, Exit::failed);
 }
 
+TEST(Files, NothingIsThereBeforeAllOfItIs) {
+  const ScratchFolder folder;
+  const std::vector<uint8_t> bytes(1000, 7);
+  NewFile file(folder.path / "a.png");
+  file.write(bytes);
+  EXPECT_TRUE(std::filesystem::is_empty(folder.path)) << "what ends the process now leaves nothing behind";
+  file.commit();
+  EXPECT_EQ(read_file(folder.path / "a.png", 1 << 20), bytes);
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder.path), {}), 1);
+}
+
 } // namespace
 } // namespace unghost

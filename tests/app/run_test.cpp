@@ -81,6 +81,7 @@ TEST(Run, WrongWordsAreTwoAndOneSentence) {
       {{"compare", "--modes", "all,off", "-o", "a.png"}, "off more than once"},
       {{"capture", "-q", "-v", "-o", "a.png"}, "do not go together"},
       {{"capture", "", "-o", "a.png"}, "name is empty"},
+      {{"capture", "--set", "reject=nothing,tag", "-o", "a.png"}, "stands alone"},
   };
   for (const auto& [words, expected] : cases) {
     const Outcome wrong = outcome(words);

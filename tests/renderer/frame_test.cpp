@@ -4,6 +4,7 @@
 #include <set>
 #include <tuple>
 
+#include "renderer/view.h"
 #include "tests/renderer/studio.h"
 
 namespace unghost {
@@ -146,6 +147,39 @@ TEST_F(Frame, EveryViewIsDrawnWithAndWithoutAHistoryAndShowsSomethingElse) {
       if (std::string_view(mode) == "grand-tour") pictures.insert(picture);
     }
   EXPECT_EQ(pictures.size(), answers<View>().size());
+}
+
+// One that is would leave a streak through a history that nothing bounds.
+TEST_F(Frame, NothingIsBrighterThanTheSunsDisc) {
+  const float disc = 60 * 5.2f; // sky.glsl, sun.cpp
+  for (int index = 0; index < 48; index += 2) {
+    FrameInput input = studio->frame("drive", index, {run_of("blend")}, {{Output::lit}});
+    input.width = 960, input.height = 540;
+    const FrameResult result = studio->renderer.render(input);
+    EXPECT_LE(std::ranges::max(result.delivered[0].image.values), disc) << index;
+  }
+}
+
+// The road beside the sill sees less of the sky than it does when the vehicle is elsewhere.
+TEST_F(Frame, TheVehicleHidesTheSkyFromTheRoadBelowIt) {
+  FrameInput input = studio->frame("still", 0, {run_of("off")}, {{Output::lit}});
+  input.settings.light.sun_illuminance = 0;
+  const auto road_at = [&](double left_m) { // mean of 5x5 pixels there
+    const glm::dvec3 world = studio->at("still", 0).vehicle * glm::dvec4(left_m, 0, 0.3, 1);
+    const glm::uvec2 place(project(input.now, world, input.width, input.height).pixel);
+    const FrameResult result = studio->renderer.render(input);
+    double sum = 0;
+    for (uint32_t y = place.y - 2; y <= place.y + 2; ++y)
+      for (uint32_t x = place.x - 2; x <= place.x + 2; ++x)
+        sum += result.delivered[0].image.values[3 * (size_t(y) * input.width + x) + 1];
+    return sum;
+  };
+  const double sill = studio->staged.vehicle.high.x + 0.1, beside = road_at(sill), away = road_at(sill + 3);
+  input.now.vehicle[3] += glm::dvec4(0, 0, 40, 0);
+  const double share = beside / road_at(sill);
+  EXPECT_LT(share, 0.93);
+  EXPECT_GT(share, 0.5);
+  EXPECT_NEAR(away / road_at(sill + 3), 1, 0.02);
 }
 
 } // namespace

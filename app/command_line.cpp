@@ -79,6 +79,15 @@ void add_options(CLI::App& app, const CommandRow& row, CommandLine& line) {
     app.add_flag_function(
         "--crops,!--no-crops", [&line](int64_t count) { line.crops = count > 0; },
         "Enlarge where the modes differ most");
+  if (row.options & timed)
+    app.add_option("--rounds", line.frames, "Of all modes in turns (default 31)")
+        ->check(CLI::Range(1u, most_frames));
+  if (row.options & axis_search) {
+    app.add_option("--faces", line.faces, "Of the polytope, two an axis (default 16)")
+        ->check(CLI::Range(4u, 64u));
+    app.add_flag("--of-scene,!--no-of-scene", line.of_scene,
+                 "For the scene's own aliased frames; else around the unit sphere, with X, Y and Z kept");
+  }
   if (row.options & figures)
     app.add_option("--what", line.what, "Which figures: trail")
         ->delimiter(',')

@@ -30,12 +30,12 @@ struct CommandLine {
   std::vector<std::string> assignments; // `name=value`, in order; --view as the last
   std::filesystem::path settings;
   std::optional<PictureSize> size;
-  std::optional<uint32_t> frames, from;
+  std::optional<uint32_t> frames, from, faces;
   std::optional<uint64_t> seed;
   std::optional<bool> crops;
   std::vector<std::string> what;
   std::string device; // index or part of a name; empty: the best
-  bool validate = false, timings = false, json = false, quiet = false, verbose = false;
+  bool validate = false, timings = false, json = false, quiet = false, verbose = false, of_scene = false;
   std::string output; // `-`: standard output
   std::filesystem::path sequence, buffers;
 };

@@ -27,6 +27,8 @@ enum CommandOptions : unsigned {
   crops = 32,
   figures = 64, // what to measure
   device = 128,
+  timed = 256, // rounds
+  axis_search = 512,
 };
 
 struct CommandRow {
@@ -40,6 +42,8 @@ std::span<const CommandRow> commands();
 void capture(const CommandLine& line, Console& console);
 void compare(const CommandLine& line, Console& console);
 void measure(const CommandLine& line, Console& console);
+void axes(const CommandLine& line, Console& console);
+void bench(const CommandLine& line, Console& console);
 void list_modes(const CommandLine& line, Console& console);
 void list_rigs(const CommandLine& line, Console& console);
 void list_views(const CommandLine& line, Console& console);

@@ -79,15 +79,29 @@ void Headless::say_banner() const {
   if (!why.empty()) console_.err << "times are not a GPU's: " << why << "\n";
 }
 
+FrameResult Headless::render_one(uint32_t frame, const FrameInput& input) {
+  FrameResult result = renderer_->render(input);
+  note_passes(result);
+  throw_if_interrupted(); // and not after a picture is in its place
+  show_progress(frame + 1);
+  return result;
+}
+
 void Headless::render(std::span<const ModeRun> modes, const Wants& wants, const Take& take) {
   for (uint32_t frame = 0; frame < shot_.frames; ++frame) {
     FrameInput input = frame_input(shot_, context_, modes, frame);
     input.wanted = wants(frame);
-    FrameResult result = renderer_->render(input);
-    note_passes(result);
-    throw_if_interrupted(); // and not after a picture is in its place
+    FrameResult result = render_one(frame, input);
     if (!input.wanted.empty()) take(frame, input.wanted, result);
-    show_progress(frame + 1);
+  }
+}
+
+void Headless::render_timed(std::span<const ModeRun> modes, const Take& take) {
+  for (uint32_t frame = 0; frame < shot_.frames; ++frame) {
+    FrameInput input = frame_input(shot_, context_, modes, frame);
+    input.measures_copy = true;
+    FrameResult result = render_one(frame, input);
+    take(frame, input.wanted, result);
   }
 }
 

@@ -44,6 +44,10 @@ public:
   /// between two frames.
   void render(std::span<const ModeRun> modes, const Wants& wants, const Take& take);
 
+  /// The same without anything wanted of the frames, for the times of their passes, a full-screen copy's
+  /// among them.
+  void render_timed(std::span<const ModeRun> modes, const Take& take);
+
   std::vector<PassSummary> passes() const;
   /// device, driver, software, validation, debug_build.
   nlohmann::json facts() const;
@@ -52,6 +56,7 @@ public:
 
 private:
   void say_banner() const;
+  FrameResult render_one(uint32_t frame, const FrameInput& input);
   /// What is kept of a pass: a number a frame.
   struct PassRecord {
     size_t frames = 0;

@@ -91,6 +91,14 @@ std::string_view summary_of(View view) {
     return "Red where the history was given up because the tag differs from last frame's.";
   case View::near_moving:
     return "Red where the history was faded because the pixel is near, moving and untagged.";
+  case View::rejected:
+    return "Where the history was given up, a colour a cause.";
+  case View::history:
+    return "The history as it was mixed with the current frame.";
+  case View::age:
+    return "How many frames a pixel holds: black one, white 63 or more, on a logarithmic scale.";
+  case View::volume:
+    return "How large the colour box of the 3x3 neighbourhood is: white lets anything pass.";
   }
   return {};
 }

@@ -33,7 +33,7 @@ Settings settings_of(const ModeRun& run) {
 std::vector<ModeRun> default_modes(const CommandRow& command) {
   std::vector<ModeRun> runs;
   if (command.options & one_mode) return {mode_run(default_mode)};
-  if (command.options & figures)
+  if (command.options & (figures | timed))
     for (const TaaMode& row : taa_modes()) runs.push_back(mode_run(std::string(row.name)));
   else
     for (const std::string& name : default_comparison) runs.push_back(mode_run(name));
@@ -240,13 +240,14 @@ Shot shot_from(const CommandLine& line) {
   shot.command = line.command->name;
   shot.modes = default_modes(*line.command);
   if (line.command->options & figures) shot.frames = 32, shot.rig = "pass";
+  if (line.command->options & timed) shot.frames = 31;
   std::vector<Assignment> assignments = apply_file_and_words(line, shot);
   check_rig(shot.rig);
   for (const std::string& text : line.assignments) {
     apply_setting(shot.settings, text); // refuses what is no assignment
     assignments.push_back({.text = text});
   }
-  if (line.command->options & figures) drop_jitter(line, assignments, shot);
+  if (line.command->options & (figures | timed)) drop_jitter(line, assignments, shot);
   apply_assignments(line, assignments, shot);
   return shot;
 }

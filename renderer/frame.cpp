@@ -15,14 +15,15 @@ FrameImages::OfMode draw_mode(FrameGraph& graph, const FrameContext& in,
   const Resolved steady = resolve_taa(
       graph, in, {.colour = geometry.lit.colour, .gbuffer = geometry.gbuffer, .motion = geometry.motion},
       place);
-  const ImageRef picture = tonemap(graph, in, steady.colour);
+  const ImageRef crisp = sharpen(graph, in, steady.colour, place);
+  const ImageRef picture = tonemap(graph, in, crisp);
   const ImageRef display = draw_view(graph, in,
                                      {.picture = picture,
                                       .gbuffer = geometry.gbuffer,
                                       .motion = geometry.motion,
                                       .lit = geometry.lit,
                                       .resolved = steady});
-  return {.resolved = steady.colour, .display = display};
+  return {.resolved = crisp, .display = display};
 }
 
 } // namespace
@@ -32,6 +33,8 @@ FrameImages declare_frame(FrameGraph& graph, const std::deque<FrameContext>& con
   FrameImages images;
   const ImageRef shadow_map = draw_shadow_map(graph, contexts.front()); // no jitter touches it
   for (const FrameContext& in : contexts) images.geometries.push_back(draw_geometry(graph, in, shadow_map));
+  if (contexts.front().measures_copy)
+    copy_yardstick(graph, contexts.front(), images.geometries.front().lit.colour);
   for (size_t place = 0; place < geometry_of.size(); ++place) {
     const size_t geometry = geometry_of[place];
     images.modes.push_back(draw_mode(graph, contexts[geometry], images.geometries[geometry], place));

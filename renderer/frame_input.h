@@ -55,6 +55,7 @@ struct FrameInput {
   uint32_t width = 1280, height = 720;
   Settings settings; // light, stage and view; each run brings its own taa
   std::vector<ModeRun> modes;
+  bool measures_copy = false; // draws a full-screen copy, too: what run times are compared with
   std::vector<Wanted> wanted;
 };
 

@@ -145,11 +145,33 @@ uint64_t version_of(ShadowVersion& version, std::vector<double> place, const Obj
   return version.number;
 }
 
+/// How deep what is tagged lies before the camera, and how far it reaches from one end to the other; zeros
+/// where nothing is.
+DepthRange tagged_range(const FrameInput& input, const GpuScene& gpu, const Objects& objects) {
+  const glm::dvec3 ahead = input.now.camera * glm::dvec3(0, 0, -1);
+  Bounds box;
+  double deepest = 0;
+  for (const Draw& draw : gpu.draws) {
+    if (draw.tag == 0) continue;
+    for (int corner = 0; corner < 8; ++corner) {
+      const Bounds& b = draw.bounds;
+      const glm::dvec4 at(corner & 1 ? b.high.x : b.low.x, corner & 2 ? b.high.y : b.low.y,
+                          corner & 4 ? b.high.z : b.low.z, 1);
+      const glm::dvec3 eye = objects.eye_from_object[draw.object] * at;
+      deepest = std::max(deepest, glm::dot(eye, ahead));
+      box.add(eye);
+    }
+  }
+  if (box.empty()) return {};
+  return {.deepest_m = float(deepest), .length_m = glm::length(box.high - box.low)};
+}
+
 bool share_geometry(const TaaSettings& a, const TaaSettings& b) {
+  if (a.mip_bias != b.mip_bias) return false;
   const bool still = a.policy.jitter == Jitter::none || a.jitter_scale == 0;
   const bool other_still = b.policy.jitter == Jitter::none || b.jitter_scale == 0;
-  return (still && other_still) ||
-         (!still && !other_still && a.policy.jitter == b.policy.jitter && a.jitter_scale == b.jitter_scale);
+  return (still && other_still) || (!still && !other_still && a.policy.jitter == b.policy.jitter &&
+                                    a.jitter_scale == b.jitter_scale && a.texture_jitter == b.texture_jitter);
 }
 
 /// By mode, whether its history is of another policy; `policies` become this frame's.
@@ -207,13 +229,22 @@ FrameSetup describe_frame(const FrameInput& given, const Scene& scene, const Gpu
                   .anything_moved = objects.anything_moved,
                   .shadow_texels = shadow_texels,
                   .shadow_version = version_of(before.shadows, map_place, objects, gpu, now),
-                  .policy_changed = changes_of(before.policies, input.modes)};
+                  .policy_changed = changes_of(before.policies, input.modes),
+                  .tagged = tagged_range(input, gpu, objects),
+                  .measures_copy = input.measures_copy,
+                  .software = gpu.software};
   list_draws(in, constants, gpu, objects);
 
   FrameSetup setup;
   for (const TaaSettings* taa : share_geometries(input, setup.geometry_of)) {
     const glm::dvec2 own = jitter_offset(taa->policy.jitter, input.index) * double(taa->jitter_scale);
-    describe_camera(constants, input, input.jitter_px.value_or(own));
+    const glm::dvec2 jitter_px = input.jitter_px.value_or(own);
+    describe_camera(constants, input, jitter_px);
+    const bool removed = taa->texture_jitter == TextureJitter::removed;
+    constants.texture_jitter_px = removed ? jitter_px : glm::dvec2(0);
+    constants.mip_bias = taa->mip_bias;
+    in.shifts_textures = removed && jitter_px != glm::dvec2(0);
+    in.biases_textures = taa->mip_bias != 0;
     in.constants = memory.push_value(constants);
     setup.contexts.push_back(in);
   }

@@ -113,7 +113,7 @@ void apply_setting(Settings& settings, std::string_view assignment) {
 Settings settings_for_mode(std::string_view mode) {
   if (const TaaMode* row = find_taa_mode(mode)) {
     Settings settings;
-    settings.taa.policy = row->policy;
+    settings.taa = row->settings;
     return settings;
   }
   std::vector<std::string> names;
@@ -123,9 +123,15 @@ Settings settings_for_mode(std::string_view mode) {
 
 std::optional<std::string> refusal(const Settings& settings) {
   const TaaPolicy& policy = settings.taa.policy;
-  if (has(policy.reject, Reject::near_moving) && settings.taa.near_m >= settings.taa.far_m)
+  const TaaSettings& taa = settings.taa;
+  if (has(policy.reject, Reject::near_moving) && taa.near_m > 0 && taa.far_m > 0 && taa.near_m >= taa.far_m)
     return "near (" + text_of(settings.taa.near_m) + " m) must be less than far (" +
            text_of(settings.taa.far_m) + " m): between them the history fades in";
+  if (policy.keeps == Keeps::input && policy.blend == Blend::counting)
+    return "keeps=input has but one frame of history, which blend=counting could not count";
+  if (policy.uses_dop() && policy.space == Space::ycocg && policy.axes >= Axes::dop16_grass)
+    return "axes=" + std::string(spelling(policy.axes)) +
+           " were found in RGB, and space=ycocg is another space";
   if (policy.needs_history()) return std::nullopt;
   for (const Setting& row : settings_table())
     if (row.per_mode && row.kind != SettingKind::number && row.used.holds && !row.used.holds(settings) &&

@@ -1,6 +1,6 @@
-// Every setting there is, as plain data with its default in place. The table in settings_table.cpp gives each its
-// name, unit, range and source; the command line, the panel, JSON and the pictures' metadata all go through
-// that table.
+// Every setting there is, as plain data with its default in place. The table in settings_table.cpp gives each
+// its name, unit, range and source; the command line, the panel, JSON and the pictures' metadata all go
+// through that table.
 #pragma once
 
 #include <optional>
@@ -25,17 +25,6 @@ namespace unghost {
 enum class Stage : uint32_t { UNGHOST_STAGES(UNGHOST_ENUMERATOR) };
 enum class View : uint32_t { UNGHOST_VIEWS(UNGHOST_ENUMERATOR) };
 #undef UNGHOST_ENUMERATOR
-
-struct TaaSettings {
-  TaaPolicy policy;
-  float alpha = 0.1f;               // weight of the current frame
-  float jitter_scale = 1.0f;        // 0 to 1, of a pixel
-  float motion_threshold_px = 1.0f; // near and moving: faster than this
-  float near_m = 8.0f;              // near and moving: nearer than this, all of the history goes
-  float far_m = 16.0f;              // and beyond this, none
-
-  bool operator==(const TaaSettings&) const = default;
-};
 
 struct LightSettings {
   float sun_azimuth_deg = 35.0f; // added to the rig's

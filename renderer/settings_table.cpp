@@ -30,13 +30,31 @@ constexpr Condition keeps_history{[](const Settings& s) { return s.taa.policy.ne
                                   "blend=current keeps no history"};
 constexpr Condition jitters{[](const Settings& s) { return s.taa.policy.jitter != Jitter::none; },
                             "jitter=none does not move the samples"};
-constexpr Condition tests_near_moving{[](const Settings& s) {
-                                        return s.taa.policy.needs_history() &&
-                                               has(s.taa.policy.reject, Reject::near_moving);
-                                      },
-                                      "nothing but reject=near-moving reads it"};
+constexpr Condition rectifies{
+    [](const Settings& s) { return s.taa.policy.needs_history() && s.taa.policy.rectify != Rectify::none; },
+    "rectify=none has no volume"};
+constexpr Condition overshoots{[](const Settings& s) {
+                                 return s.taa.policy.needs_history() &&
+                                        s.taa.policy.history >= HistoryFilter::catmull_rom;
+                               },
+                               "only the Catmull-Rom filters overshoot"};
+constexpr Condition has_axes{
+    [](const Settings& s) { return s.taa.policy.needs_history() && s.taa.policy.uses_dop(); },
+    "only rectify=dop-clip and dop-variance have axes"};
+constexpr Condition has_variance{
+    [](const Settings& s) { return s.taa.policy.needs_history() && s.taa.policy.uses_variance(); },
+    "no variance is taken"};
 
-constexpr std::string_view px = "pixels", m = "metres", deg = "degrees", tour = "The Grand Tour Game";
+template <Reject test> constexpr bool tests(const Settings& s) { return s.taa.policy.rejects(test); }
+constexpr Condition near_moving{tests<Reject::near_moving>, "nothing but reject=near-moving reads it"};
+constexpr Condition velocity{tests<Reject::velocity>, "nothing but reject=velocity reads it"};
+constexpr Condition motion_length{tests<Reject::motion_length>, "nothing but reject=motion-length reads it"};
+constexpr Condition speed{tests<Reject::speed>, "nothing but reject=speed reads it"};
+constexpr Condition depth{tests<Reject::depth>, "nothing but reject=depth reads it"};
+
+constexpr std::string_view px = "pixels", px_a_frame = "pixels a frame", m = "metres", deg = "degrees",
+                           tour = "The Grand Tour Game", gdk = "GDK sample",
+                           trail = "The quest for the Holy Trail";
 
 template <auto member> constexpr auto policy = setting<&Settings::taa, &TaaSettings::policy, member>;
 template <auto member> constexpr auto taa = setting<&Settings::taa, member>;
@@ -53,17 +71,32 @@ using Light = LightSettings;
 std::span<const Setting> settings_table() {
   // clang-format off
   static const std::vector<Setting> rows = {
-    policy<&Policy::jitter>({"jitter", "", "Where in its pixel each frame takes its sample.", "Halton 1960"}),
+    policy<&Policy::jitter>({"jitter", "", "Where in its pixel each frame takes its sample.", "Halton 1960; Roberts 2018; GDK sample"}),
     policy<&Policy::dilation>({"dilation", "", "Whose motion a pixel follows: its own or a neighbour's.", "Karis 2014", 0, 0, keeps_history}),
-    policy<&Policy::history>({"history", "", "The filter that reads the history between its pixels.", "GDK sample", 0, 0, keeps_history}),
-    policy<&Policy::rectify>({"rectify", "", "How the history is bounded by this frame's 3x3 neighbourhood.", "Lottes 2011", 0, 0, keeps_history}),
+    policy<&Policy::history>({"history", "", "The filter that reads the history between its pixels.", gdk, 0, 0, keeps_history}),
+    policy<&Policy::ringing>({"ringing", "", "Whether a sharp filter may overshoot the four nearest pixels.", "", 0, 0, overshoots}),
+    policy<&Policy::space>({"space", "", "The colour space in which the history is bounded.", "Karis 2014", 0, 0, rectifies}),
+    policy<&Policy::weighting>({"weighting", "", "What keeps bright pixels from flickering.", trail, 0, 0, keeps_history}),
+    policy<&Policy::rectify>({"rectify", "", "How the history is bounded by this frame's 3x3 neighbourhood.", "Lottes 2011; Karis 2014; Salvi 2016; Ikkala et al. 2024", 0, 0, keeps_history}),
+    policy<&Policy::axes>({"axes", "", "The axes of the polytope.", "Ikkala et al. 2024", 0, 0, has_axes}),
     policy<&Policy::reject>({"reject", "", "When the history is given up: 'nothing', or a list with commas.", tour, 0, 0, keeps_history}),
     policy<&Policy::blend>({"blend", "", "How the weight of the current frame is found."}),
+    policy<&Policy::keeps>({"keeps", "", "What the next frame finds: the result, or the frame as it came in.", "Sousa 2011", 0, 0, keeps_history}),
     taa<&Taa::alpha>({"alpha", "", "The weight of the current frame.", "", 0, 1, keeps_history}),
-    taa<&Taa::jitter_scale>({"jitter-scale", px, "The width of the square that the jitter fills.", "GDK sample", 0, 1, jitters}),
-    taa<&Taa::motion_threshold_px>({"motion-threshold", "pixels a frame", "near-moving acts on what is faster.", tour, 0, 1000, tests_near_moving}),
-    taa<&Taa::near_m>({"near", m, "near-moving gives up all history nearer than this.", tour, 0, 1e5f, tests_near_moving}),
-    taa<&Taa::far_m>({"far", m, "near-moving keeps all history beyond this.", tour, 0, 1e5f, tests_near_moving}),
+    taa<&Taa::gamma>({"gamma", "", "How many standard deviations the variance's volume reaches.", "Salvi 2016", 0, 10, has_variance}),
+    taa<&Taa::jitter_scale>({"jitter-scale", px, "The width of the square that the jitter fills.", gdk, 0, 1, jitters}),
+    taa<&Taa::motion_threshold_px>({"motion-threshold", px_a_frame, "near-moving acts on what is faster.", tour, 0, 1000, near_moving}),
+    taa<&Taa::near_m>({"near", m, "near-moving gives up all history nearer than this; 0: the far end of what is tagged.", tour, 0, 1e5f, near_moving}),
+    taa<&Taa::far_m>({"far", m, "near-moving keeps all history beyond this; 0: a vehicle's length beyond near.", tour, 0, 1e5f, near_moving}),
+    taa<&Taa::velocity_min>({"velocity-min", "shares of the picture", "velocity overlooks a smaller difference.", trail, 0, 1, velocity}),
+    taa<&Taa::velocity_slope>({"velocity-slope", "", "How fast velocity fades to the blurred picture beyond that.", trail, 0, 1000, velocity}),
+    taa<&Taa::motion_length_px>({"motion-length", px_a_frame, "motion-length rejects where lengths differ by more.", "Sousa 2011", 0, 1000, motion_length}),
+    taa<&Taa::speed_px>({"speed-limit", px_a_frame, "speed rejects what is or was faster.", "Wronski 2014", 0, 1000, speed}),
+    taa<&Taa::depth_share>({"depth-share", "", "depth rejects where the distance differs by more than this share.", trail, 0, 10, depth}),
+    taa<&Taa::sharpen>({"sharpen", "", "Sharpens after the resolve; 2 is the GDK sample's.", gdk, 0, 10}),
+    taa<&Taa::mip_bias>({"mip-bias", "levels", "Takes sharper levels of textures.", gdk, -2, 0}),
+    taa<&Taa::texture_jitter>({"texture-jitter", "", "Whether textures move with the jitter.", trail, 0, 0, jitters}),
+    taa<&Taa::resolver>({"resolver", "", "The fast implementation, or the plain one that it is measured by.", "", 0, 0, keeps_history}),
     light<&Light::sun_azimuth_deg>({"sun-azimuth", deg, "Where the sun stands, added to the rig's azimuth.", "", -360, 360}),
     light<&Light::sun_elevation_deg>({"sun-elevation", deg, "The sun's height over the horizon.", "", 3, 90}),
     light<&Light::sun_illuminance>({"sun", "", "Sunlight, as a share of a clear noon's.", "", 0, 100}),

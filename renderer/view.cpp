@@ -54,14 +54,47 @@ void describe_camera(FrameConstants& constants, const FrameInput& input, glm::dv
   constants.near_plane = float(input.now.near_plane);
 }
 
+namespace {
+
+/// Halton 1960, from its second point on: the first is the corner.
+glm::dvec2 halton(uint64_t n) { return {radical_inverse(n + 1, 2) - 0.5, radical_inverse(n + 1, 3) - 0.5}; }
+
+/// Roberts 2018: multiples of the plastic number's inverse powers.
+glm::dvec2 r2(uint64_t n) {
+  constexpr double plastic = 1.32471795724475;
+  const glm::dvec2 at = 0.5 + double(n) * glm::dvec2(1 / plastic, 1 / (plastic * plastic));
+  return glm::fract(at) - 0.5;
+}
+
+/// The GDK sample's.
+glm::dvec2 blue_noise(uint64_t n) {
+  static constexpr double points[16][2] = {
+      {1.5, .59375},    {1.21875, 1.375},  {1.6875, 1.90625}, {.375, .84375},
+      {1.125, 1.875},   {.71875, 1.65625}, {1.9375, .71875},  {.65625, .125},
+      {.90625, .9375},  {1.65625, 1.4375}, {.5, 1.28125},     {.21875, .0625},
+      {1.84375, .3125}, {1.09375, .5625},  {.0625, 1.21875},  {.28125, 1.65625}};
+  return glm::dvec2(points[n][0], points[n][1]) / 2.0 - 0.5;
+}
+
+} // namespace
+
 glm::dvec2 jitter_offset(Jitter sequence, uint64_t index) {
+  static constexpr double grid[4][2] = {{-.125, -.375}, {.375, -.125}, {-.375, .125}, {.125, .375}};
   switch (sequence) {
   case Jitter::none:
     return {0, 0};
-  case Jitter::halton_8: {
-    const uint64_t n = index % 8 + 1; // from 1: the sequence's first point is its corner
-    return {radical_inverse(n, 2) - 0.5, radical_inverse(n, 3) - 0.5};
-  }
+  case Jitter::halton_8:
+    return halton(index % 8);
+  case Jitter::halton_16:
+    return halton(index % 16);
+  case Jitter::blue_noise_16:
+    return blue_noise(index % 16);
+  case Jitter::r2_10:
+    return r2(index % 10);
+  case Jitter::two_samples:
+    return glm::dvec2(index % 2 == 0 ? -0.25 : 0.25);
+  case Jitter::rotated_grid:
+    return {grid[index % 4][0], grid[index % 4][1]};
   }
   return {0, 0};
 }

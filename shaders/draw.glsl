@@ -23,10 +23,20 @@ layout(set = 1, binding = TEXTURE_COAT_ROUGHNESS) uniform sampler2D coat_roughne
 bool has(uint feature) { return (features & feature) != 0; }
 bool has_texture(uint i) { return (features >> i & 1) != 0; }
 
+/// Where the texture would have been read without the jitter.
+vec2 shifted(vec2 uv) {
+  return has(SHIFTS_TEXTURES) ? uv + dFdx(uv) * frame.texture_jitter_px.x + dFdy(uv) * frame.texture_jitter_px.y : uv;
+}
+
 vec2 uv_of(uint i, vec2 uv0, vec2 uv1) {
-  if (!has(HAS_TEXTURE_PLACES)) return uv0;
+  if (!has(HAS_TEXTURE_PLACES)) return shifted(uv0);
   vec2 uv = (texture_places[draw.material_index].uv_sets >> i & 1) != 0 ? uv1 : uv0;
-  return texture_places[draw.material_index].uv_transforms[i] * vec3(uv, 1);
+  return shifted(texture_places[draw.material_index].uv_transforms[i] * vec3(uv, 1));
+}
+
+vec4 texel_of(sampler2D map, uint i, vec2 uv0, vec2 uv1) {
+  vec2 uv = uv_of(i, uv0, uv1);
+  return has(BIASES_TEXTURES) ? texture(map, uv, frame.mip_bias) : texture(map, uv);
 }
 #endif
 

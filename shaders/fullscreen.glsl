@@ -4,7 +4,11 @@
 
 #include "shared/workgroup.h"
 
-layout(local_size_x = WORKGROUP_WIDTH, local_size_y = WORKGROUP_HEIGHT) in;
+#ifndef FULLSCREEN_WIDTH
+#define FULLSCREEN_WIDTH WORKGROUP_WIDTH
+#define FULLSCREEN_HEIGHT WORKGROUP_HEIGHT
+#endif
+layout(local_size_x = FULLSCREEN_WIDTH, local_size_y = FULLSCREEN_HEIGHT) in;
 
 #define pixel_or_return(pixel)                                                                               \
   const ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);                                                       \

@@ -35,7 +35,7 @@ vec3 shading_normal(float normal_scale) {
   if (has_texture(TEXTURE_NORMAL) && length2 > 1e-12) {
     t *= inversesqrt(length2);
     vec3 b = cross(n, t) * in_tangent.w;
-    vec3 mapped = texture(normal_map, uv_of(TEXTURE_NORMAL, in_uv.xy, in_uv.zw)).xyz * 2 - 1;
+    vec3 mapped = texel_of(normal_map, TEXTURE_NORMAL, in_uv.xy, in_uv.zw).xyz * 2 - 1;
     mapped.xy *= normal_scale;
     shading = normalize(t * mapped.x + b * mapped.y + n * max(mapped.z, 1e-3));
   }
@@ -53,18 +53,18 @@ vec3 motion_of_object() {
 void main() {
   const MaterialData m = draw.material;
   vec4 base = m.base_colour * in_colour;
-  if (has_texture(TEXTURE_BASE_COLOUR)) base *= texture(base_colour_map, uv_of(TEXTURE_BASE_COLOUR, in_uv.xy, in_uv.zw));
+  if (has_texture(TEXTURE_BASE_COLOUR)) base *= texel_of(base_colour_map, TEXTURE_BASE_COLOUR, in_uv.xy, in_uv.zw);
   if (has(HAS_ALPHA_MASK) && base.a < m.alpha_cutoff) discard;
 #ifdef WRITES_SHADING
   vec2 roughness_metalness = vec2(m.roughness, m.metalness);
   if (has_texture(TEXTURE_METALLIC_ROUGHNESS))
-    roughness_metalness *= texture(metallic_roughness_map, uv_of(TEXTURE_METALLIC_ROUGHNESS, in_uv.xy, in_uv.zw)).gb;
+    roughness_metalness *= texel_of(metallic_roughness_map, TEXTURE_METALLIC_ROUGHNESS, in_uv.xy, in_uv.zw).gb;
   float occlusion = 1;
   if (has_texture(TEXTURE_OCCLUSION))
-    occlusion += m.occlusion_strength * (texture(occlusion_map, uv_of(TEXTURE_OCCLUSION, in_uv.xy, in_uv.zw)).r - 1);
+    occlusion += m.occlusion_strength * (texel_of(occlusion_map, TEXTURE_OCCLUSION, in_uv.xy, in_uv.zw).r - 1);
   vec2 coat = vec2(m.coat, m.coat_roughness);
-  if (has_texture(TEXTURE_COAT)) coat.x *= texture(coat_map, uv_of(TEXTURE_COAT, in_uv.xy, in_uv.zw)).r;
-  if (has_texture(TEXTURE_COAT_ROUGHNESS)) coat.y *= texture(coat_roughness_map, uv_of(TEXTURE_COAT_ROUGHNESS, in_uv.xy, in_uv.zw)).g;
+  if (has_texture(TEXTURE_COAT)) coat.x *= texel_of(coat_map, TEXTURE_COAT, in_uv.xy, in_uv.zw).r;
+  if (has_texture(TEXTURE_COAT_ROUGHNESS)) coat.y *= texel_of(coat_roughness_map, TEXTURE_COAT_ROUGHNESS, in_uv.xy, in_uv.zw).g;
 
   out_albedo = vec4(sqrt(base.rgb), occlusion);
   out_normal = octahedral_from_direction(shading_normal(m.normal_scale));
@@ -74,7 +74,7 @@ void main() {
 #endif
 #ifdef WRITES_EMISSIVE
   vec3 emissive = m.emissive;
-  if (has_texture(TEXTURE_EMISSIVE)) emissive *= texture(emissive_map, uv_of(TEXTURE_EMISSIVE, in_uv.xy, in_uv.zw)).rgb;
+  if (has_texture(TEXTURE_EMISSIVE)) emissive *= texel_of(emissive_map, TEXTURE_EMISSIVE, in_uv.xy, in_uv.zw).rgb;
   out_emissive = has(IS_UNLIT) ? base.rgb : emissive;
 #endif
 #ifdef WRITES_MOTION

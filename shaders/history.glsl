@@ -1,37 +1,107 @@
-// Reading the history between its pixels. `at` is in pixels, centres at .5; beyond the edge the edge goes on.
+// Reading the history between its pixels. `at` is in pixels, centres at .5; beyond the edge the edge goes on. Its alpha
+// counts the frames that it holds.
 #ifndef UNGHOST_HISTORY_GLSL
 #define UNGHOST_HISTORY_GLSL
 
-vec3 history_texel(texture2D map, ivec2 pixel, ivec2 last) {
-  return texelFetch(map, clamp(pixel, ivec2(0), last), 0).rgb;
+#include "taa_inputs.glsl"
+
+/// Only these go through the sampler.
+bool reads_by_taps() { return history_filter == history_catmull_rom_9 || history_filter == history_catmull_rom_5; }
+
+vec4 history_texel(ivec2 pixel) {
+  return reads_by_taps() ? texelFetch(history_sampler, inside(pixel), 0) : fetch(history_map, inside(pixel));
 }
 
-vec3 bilinear(texture2D map, vec2 at, ivec2 last) {
+vec3 bilinear(vec2 at) {
   vec2 texel = at - 0.5, f = fract(texel);
   ivec2 corner = ivec2(floor(texel));
-  vec3 top = mix(history_texel(map, corner, last), history_texel(map, corner + ivec2(1, 0), last), f.x);
-  vec3 bottom = mix(history_texel(map, corner + ivec2(0, 1), last), history_texel(map, corner + 1, last), f.x);
+  vec3 top = mix(history_texel(corner).rgb, history_texel(corner + ivec2(1, 0)).rgb, f.x);
+  vec3 bottom = mix(history_texel(corner + ivec2(0, 1)).rgb, history_texel(corner + 1).rgb, f.x);
   return mix(top, bottom, f.y);
 }
 
-/// Weights of the four taps around f, for the two in the middle lying at 0 and 1 (Catmull and Rom 1974).
+/// Weights of the four texels around f, for the two in the middle lying at 0 and 1 (Catmull and Rom 1974).
 vec4 catmull_rom_weights(float f) {
   return vec4(((-0.5 * f + 1) * f - 0.5) * f, (1.5 * f - 2.5) * f * f + 1, ((-1.5 * f + 2) * f + 0.5) * f,
               (0.5 * f - 0.5) * f * f);
 }
 
-/// 16 loads. Overshoots, but never below 0.
-vec3 catmull_rom(texture2D map, vec2 at, ivec2 last) {
-  vec2 texel = at - 0.5, f = fract(texel);
-  ivec2 corner = ivec2(floor(texel)) - 1;
-  vec4 across = catmull_rom_weights(f.x), down = catmull_rom_weights(f.y);
-  vec3 sum = vec3(0);
-  for (int y = 0; y < 4; ++y) {
-    vec3 row = vec3(0);
-    for (int x = 0; x < 4; ++x) row += across[x] * history_texel(map, corner + ivec2(x, y), last);
-    sum += down[y] * row;
+/// A colour, and the bounds of the four texels around it.
+struct Filtered {
+  vec3 colour, low, high;
+};
+
+ivec2 catmull_rom_corner(vec2 at) { return ivec2(floor(at - 0.5)) - 1; }
+
+/// Out of 4 x 4 texels, from `first_row` of four columns on.
+#define CATMULL_ROM(texels, first_row, at, result)                                                           \
+  {                                                                                                          \
+    vec2 f = fract(at - 0.5);                                                                                \
+    vec4 across = catmull_rom_weights(f.x), down = catmull_rom_weights(f.y);                                 \
+    result = Filtered(vec3(0), vec3(1e30), vec3(0));                                                         \
+    for (int y = 0; y < 4; ++y) {                                                                            \
+      int row = 4 * (first_row + y);                                                                         \
+      result.colour += down[y] * (across[0] * texels[row] + across[1] * texels[row + 1] +                    \
+                                  across[2] * texels[row + 2] + across[3] * texels[row + 3]);                \
+      if (ringing == ringing_clamped && (y == 1 || y == 2)) {                                                \
+        result.low = min(result.low, min(texels[row + 1], texels[row + 2]));                                 \
+        result.high = max(result.high, max(texels[row + 1], texels[row + 2]));                               \
+      }                                                                                                      \
+    }                                                                                                        \
   }
-  return max(sum, vec3(0));
+
+/// 16 loads.
+Filtered catmull_rom_16(vec2 at) {
+  ivec2 corner = catmull_rom_corner(at);
+  vec3 texels[16];
+  for (int y = 0; y < 4; ++y)
+    for (int x = 0; x < 4; ++x) texels[4 * y + x] = history_texel(corner + ivec2(x, y)).rgb;
+  Filtered r;
+  CATMULL_ROM(texels, 0, at, r)
+  return r;
 }
+
+vec3 tap(vec2 at) { return textureLod(history_sampler, at * frame.inverse_size_px, 0).rgb; }
+
+/// The same kernel by 9 bilinear taps, the two weights in the middle joined into one (Sigg and Hadwiger 2005); or by 5,
+/// without the corners, renormalised (Jimenez 2016).
+Filtered catmull_rom_taps(vec2 at, bool corners) {
+  vec2 middle = floor(at - 0.5) + 0.5, f = at - middle;
+  vec4 across = catmull_rom_weights(f.x), down = catmull_rom_weights(f.y);
+  vec3 x = vec3(across.x, across.y + across.z, across.w), y = vec3(down.x, down.y + down.z, down.w);
+  vec2 joined = middle + vec2(across.z / x.y, down.z / y.y), before = middle - 1, after = middle + 2;
+  vec3 sum = x.y * y.x * tap(vec2(joined.x, before.y)) + x.x * y.y * tap(vec2(before.x, joined.y)) +
+             x.y * y.y * tap(joined) + x.z * y.y * tap(vec2(after.x, joined.y)) +
+             x.y * y.z * tap(vec2(joined.x, after.y));
+  if (corners)
+    sum += x.x * y.x * tap(before) + x.z * y.x * tap(vec2(after.x, before.y)) +
+           x.x * y.z * tap(vec2(before.x, after.y)) + x.z * y.z * tap(after);
+  else sum /= x.y * y.x + x.x * y.y + x.y * y.y + x.z * y.y + x.y * y.z;
+  Filtered r = Filtered(sum, vec3(1e30), vec3(0));
+  if (ringing == ringing_clamped)
+    for (int i = 0; i < 4; ++i) {
+      vec3 colour = history_texel(ivec2(middle) + ivec2(i & 1, i >> 1)).rgb;
+      r.low = min(r.low, colour), r.high = max(r.high, colour);
+    }
+  return r;
+}
+
+/// Catmull-Rom overshoots: never below 0, and not beyond the four nearest texels where that is asked for.
+vec3 bounded(Filtered r) {
+  return ringing == ringing_clamped ? clamp(r.colour, r.low, r.high) : max(r.colour, vec3(0));
+}
+
+vec3 read_history(vec2 at) {
+  switch (history_filter) {
+  case history_nearest: return history_texel(ivec2(floor(at))).rgb;
+  case history_bilinear: return bilinear(at);
+  case history_catmull_rom_9: return bounded(catmull_rom_taps(at, true));
+  case history_catmull_rom_5: return bounded(catmull_rom_taps(at, false));
+  default: return bounded(catmull_rom_16(at));
+  }
+}
+
+/// How many frames the history holds there.
+float read_count(vec2 at) { return max(history_texel(ivec2(floor(at))).a, 1); }
 
 #endif

@@ -1,165 +1,249 @@
-// The temporal resolve. Which answer a mode gives to each question is a specialization constant, so that what it does
-// not use is not in its pipeline; how much is a push constant.
+// The resolve as fast as a software device does it: an invocation does TAA_ROWS pixels above one another, which share the
+// rows of their neighbourhoods. A row's minimum, maximum and sum are taken once and serve three pixels; colours are
+// turned into the working space once and serve nine. On a GPU the lanes of a subgroup lie beside one another, so that
+// every load is of neighbours.
 #version 460
 #extension GL_GOOGLE_include_directive : require
+#define TAA_FAST
 #include "frame.glsl"
-#include "fullscreen.glsl"
-#include "history.glsl"
-#include "shared/taa.h"
+#include "shared/workgroup.h"
+#include "taa_pixel.glsl"
+#include "shared/taa_axes.h"
 
-layout(constant_id = 0) const uint dilation = 0;
-layout(constant_id = 1) const uint history_filter = 0;
-layout(constant_id = 2) const uint rectify = 0;
-layout(constant_id = 3) const uint reject = 0;
-layout(constant_id = 4) const bool reads_tags = false;
-layout(constant_id = 5) const bool keeps_tags = false;
-layout(constant_id = 6) const bool says_why = false;
-layout(constant_id = 7) const bool has_history = false;
+layout(local_size_x = TAA_GROUP_WIDTH) in;
 
-layout(set = 0, binding = TAA_COLOUR) uniform texture2D colour_map;
-layout(set = 0, binding = TAA_PREVIOUS) uniform texture2D history_map;
-layout(set = 0, binding = TAA_DEPTH) uniform texture2D depth_map;
-layout(set = 0, binding = TAA_MOTION) uniform texture2D motion_map;
-layout(set = 0, binding = TAA_TAG) uniform utexture2D tag_map;
-layout(set = 0, binding = TAA_PREVIOUS_TAG) uniform utexture2D previous_tag_map;
-layout(set = 0, binding = TAA_OUT, rgba16f) uniform writeonly image2D history_out;
-layout(set = 0, binding = TAA_TAG_OUT, r8ui) uniform writeonly uimage2D tag_out;
-layout(set = 0, binding = TAA_WHY_OUT, rgba8) uniform writeonly image2D why_out;
-layout(push_constant, scalar) uniform Push { TaaPush push; };
+const int R = int(TAA_ROWS), COLUMN = R + 2;  // with a row above and one below
 
-/// The current frame around a pixel.
-struct Neighbourhood {
-  vec3 centre, low, high, blurred;
+/// Three columns of colours, row by row, in the working space; and each row's 1 2 1 of linear colours.
+struct Strip {
+  vec3 colours[3 * COLUMN];
+  vec3 centres[COLUMN];  // linear
+  vec3 blurred_rows[COLUMN];
 };
 
-/// What is not a number ends here: it would spread through the history for ever.
-vec3 finite(vec3 colour) {
-  bvec3 bad = bvec3(uvec3(isnan(colour)) | uvec3(isinf(colour)));
-  return mix(max(colour, vec3(0)), vec3(0), bad);
+Strip gather(ivec2 first) {
+  Strip s;
+  int last_y = last_pixel().y, last_x = last_pixel().x;
+  int left = max(first.x - 1, 0), right = min(first.x + 1, last_x);
+  for (int y = 0; y < COLUMN; ++y) {
+    int at = clamp(first.y + y - 1, 0, last_y);
+    vec3 a = colour_at(ivec2(left, at)), b = colour_at(ivec2(first.x, at)), c = colour_at(ivec2(right, at));
+    s.centres[y] = b;
+    if (needs_blurred()) s.blurred_rows[y] = (a + c) + 2 * b;
+    s.colours[3 * y] = to_working(a), s.colours[3 * y + 1] = to_working(b), s.colours[3 * y + 2] = to_working(c);
+  }
+  return s;
 }
 
-Neighbourhood gather(ivec2 pixel, ivec2 last) {
-  Neighbourhood n = Neighbourhood(vec3(0), vec3(1e30), vec3(0), vec3(0));
-  for (int y = -1; y <= 1; ++y)
-    for (int x = -1; x <= 1; ++x) {
-      vec3 colour = finite(texelFetch(colour_map, clamp(pixel + ivec2(x, y), ivec2(0), last), 0).rgb);
-      if (x == 0 && y == 0) n.centre = colour;
-      n.low = min(n.low, colour);
-      n.high = max(n.high, colour);
-      n.blurred += colour * float((2 - abs(x)) * (2 - abs(y))) / 16;
+/// The pixels that speak for these. Of equals the pixel itself, then the first: the row above, from the left.
+void speakers_of(ivec2 first, out ivec2 speakers[R]) {
+  for (int i = 0; i < R; ++i) speakers[i] = first + ivec2(0, i);
+  if (dilation == dilation_centre) return;
+  bool by_length = dilation == dilation_longest;
+  float own[COLUMN], most[COLUMN];
+  int column[COLUMN];
+  int left = max(first.x - 1, 0), right = min(first.x + 1, last_pixel().x);
+  for (int y = 0; y < COLUMN; ++y) {
+    int at = clamp(first.y + y - 1, 0, last_pixel().y);
+    vec3 row;
+    if (by_length) {
+      vec2 a = motion_at(ivec2(left, at)), b = motion_at(ivec2(first.x, at)), c = motion_at(ivec2(right, at));
+      row = vec3(dot(a, a), dot(b, b), dot(c, c));
+    } else {
+      row = vec3(depth_at(ivec2(left, at)), depth_at(ivec2(first.x, at)), depth_at(ivec2(right, at)));
     }
-  return n;
-}
-
-/// The pixel whose motion, depth and tag speak for this one.
-ivec2 dilated(ivec2 pixel, ivec2 last) {
-  if (dilation == dilation_centre) return pixel;
-  ivec2 closest = pixel;
-  float depth = texelFetch(depth_map, pixel, 0).r;  // of equals the pixel itself
-  for (int y = -1; y <= 1; ++y)
-    for (int x = -1; x <= 1; ++x) {
-      ivec2 at = clamp(pixel + ivec2(x, y), ivec2(0), last);
-      float d = texelFetch(depth_map, at, 0).r;
-      if (d > depth) closest = at, depth = d;
-    }
-  return closest;
-}
-
-vec3 read_history(vec2 at, ivec2 last) {
-  switch (history_filter) {
-  case history_catmull_rom: return catmull_rom(history_map, at, last);
-  default: return bilinear(history_map, at, last);
+    own[y] = row.y;
+    most[y] = row.x, column[y] = left;
+    if (row.y > most[y]) most[y] = row.y, column[y] = first.x;
+    if (row.z > most[y]) most[y] = row.z, column[y] = right;
+  }
+  for (int i = 0; i < R; ++i) {
+    float best = most[i];
+    ivec2 at = ivec2(column[i], max(first.y + i - 1, 0));
+    if (most[i + 1] > best) best = most[i + 1], at = ivec2(column[i + 1], first.y + i);
+    if (most[i + 2] > best) best = most[i + 2], at = ivec2(column[i + 2], min(first.y + i + 1, last_pixel().y));
+    bool moves = best > own[i + 1];
+    if (dilation == dilation_depth_edges)
+      moves = moves && (best > 1.2 * own[i + 1] || object_at(at) != object_at(inside(speakers[i])));
+    if (moves) speakers[i] = at;
   }
 }
 
-vec3 rectified(vec3 history, Neighbourhood n) {
-  switch (rectify) {
-  case rectify_box_clamp: return clamp(history, n.low, n.high);
-  default: return history;
+/// The box of each pixel's neighbourhood.
+void boxes_of(Strip s, out vec3 low[R], out vec3 high[R]) {
+  vec3 low_row[COLUMN], high_row[COLUMN];
+  for (int y = 0; y < COLUMN; ++y) {
+    low_row[y] = min(min(s.colours[3 * y], s.colours[3 * y + 1]), s.colours[3 * y + 2]);
+    high_row[y] = max(max(s.colours[3 * y], s.colours[3 * y + 1]), s.colours[3 * y + 2]);
+  }
+  for (int i = 0; i < R; ++i) {
+    low[i] = min(min(low_row[i], low_row[i + 1]), low_row[i + 2]);
+    high[i] = max(max(high_row[i], high_row[i + 1]), high_row[i + 2]);
   }
 }
 
-/// Whether any of the four pixels that the history comes from, and weighs there, had another tag.
-bool tag_differs(uint tag, vec2 at, ivec2 last) {
-  const float least_weight = 1.0 / 16;
-  vec2 texel = at - 0.5, f = fract(texel);
-  ivec2 corner = ivec2(floor(texel));
-  bool differs = false;
-  for (int i = 0; i < 4; ++i) {
-    ivec2 tap = ivec2(i & 1, i >> 1);
-    vec2 share = mix(1 - f, f, vec2(tap));
-    uint before = texelFetch(previous_tag_map, clamp(corner + tap, ivec2(0), last), 0).r;
-    differs = differs || (share.x * share.y > least_weight && before != tag);
+/// The box of mean and standard deviation.
+void variance_boxes_of(Strip s, out vec3 low[R], out vec3 high[R]) {
+  vec3 means[COLUMN], squares[COLUMN];
+  for (int y = 0; y < COLUMN; ++y) {
+    ROW_MOMENTS(s.colours[3 * y], s.colours[3 * y + 1], s.colours[3 * y + 2], means[y], squares[y]);
   }
-  return differs;
+  for (int i = 0; i < R; ++i) {
+    NINE_MOMENTS(vec3, i, means, squares, mean, reach);
+    low[i] = mean - reach, high[i] = mean + reach;
+  }
 }
 
-/// A half float next to the colour, up or down by chance in proportion to how near it is; a half float stays itself.
-/// Rounded to the nearest, an average stops as soon as its step is less than half a unit: 2.5% short at a weight of .02.
-vec3 rounded(vec3 colour, ivec2 pixel) {
-  uvec3 seed = uvec3(pixel, push.frame);  // PCG3D, Jarzynski and Olano 2020
-  seed = seed * 1664525u + 1013904223u;
-  seed.x += seed.y * seed.z, seed.y += seed.z * seed.x, seed.z += seed.x * seed.y;
-  seed ^= seed >> 16;
-  seed.x += seed.y * seed.z, seed.y += seed.z * seed.x, seed.z += seed.x * seed.y;
-  vec3 chance = vec3(seed >> 8) / 16777216.0;
-  vec3 bounded = min(colour, vec3(65504));
-  vec3 unit = exp2(floor(log2(max(bounded, vec3(6.2e-5)))) - 10);
-  return min(floor(bounded / unit + chance) * unit, vec3(65504));
+/// The slab across `axis`, for each pixel: what it leaves of the segment to its history.
+void clip_along(vec3 axis, Strip s, vec3 histories[R], inout float share[R]) {
+  float own[COLUMN], low[COLUMN], high[COLUMN];
+  for (int y = 0; y < COLUMN; ++y) {
+    float a = dot(s.colours[3 * y], axis), b = dot(s.colours[3 * y + 1], axis), c = dot(s.colours[3 * y + 2], axis);
+    own[y] = b, low[y] = min(min(a, b), c), high[y] = max(max(a, b), c);
+  }
+  for (int i = 0; i < R; ++i)
+    share[i] = min(share[i], slab_share(min(min(low[i], low[i + 1]), low[i + 2]),
+                                        max(max(high[i], high[i + 1]), high[i + 2]), own[i + 1],
+                                        dot(histories[i], axis)));
 }
 
-/// What a pixel becomes, and why.
-struct Resolve {
-  vec3 colour;
-  float weight;  // of the current frame
-  bool rectified, tag_rejected, near_moving;
+void clip_variance_along(vec3 axis, Strip s, vec3 histories[R], inout float share[R]) {
+  float own[COLUMN], means[COLUMN], squares[COLUMN];
+  for (int y = 0; y < COLUMN; ++y) {
+    float a = dot(s.colours[3 * y], axis), b = dot(s.colours[3 * y + 1], axis), c = dot(s.colours[3 * y + 2], axis);
+    own[y] = b;
+    ROW_MOMENTS(a, b, c, means[y], squares[y]);
+  }
+  for (int i = 0; i < R; ++i) {
+    NINE_MOMENTS(float, i, means, squares, mean, reach);
+    float from = own[i + 1];
+    share[i] = min(share[i], slab_share(min(mean - reach, from), max(mean + reach, from), from, dot(histories[i], axis)));
+  }
+}
+
+void rectify_all(Strip s, vec3 found[R], out vec3 bounded[R]) {
+  float share[R];
+  for (int i = 0; i < R; ++i) share[i] = 1e30;
+  if (rectify == rectify_dop_clip) {
+#define CLIP(x, y, z) clip_along(vec3(x, y, z), s, found, share);
+    TAA_EACH_AXIS(CLIP)
+    for (int i = 0; i < R; ++i) bounded[i] = on_segment(s.colours[3 * i + 4], found[i], share[i]);
+    return;
+  }
+  if (rectify == rectify_dop_variance) {
+#define CLIP_VARIANCE(x, y, z) clip_variance_along(vec3(x, y, z), s, found, share);
+    TAA_EACH_AXIS(CLIP_VARIANCE)
+    for (int i = 0; i < R; ++i) bounded[i] = on_segment(s.colours[3 * i + 4], found[i], share[i]);
+    return;
+  }
+  vec3 low[R], high[R];
+  if (rectify == rectify_box_clamp || rectify == rectify_box_clip) boxes_of(s, low, high);
+  else variance_boxes_of(s, low, high);
+  for (int i = 0; i < R; ++i) {
+    vec3 centre = s.colours[3 * i + 4];
+    if (rectify == rectify_box_clamp || rectify == rectify_variance_clamp) bounded[i] = clamp(found[i], low[i], high[i]);
+    else bounded[i] = clip_to_box(found[i], centre, min(low[i], centre), max(high[i], centre));
+  }
+}
+
+const int WINDOW_WIDTH = 5, WINDOW_HEIGHT = R + 4;
+
+/// The four weights at one of two places of five.
+float[5] placed(vec4 weights, bool later) {
+  return later ? float[5](0, weights.x, weights.y, weights.z, weights.w)
+               : float[5](weights.x, weights.y, weights.z, weights.w, 0);
+}
+
+/// A window of the history, from `corner` on; pixel i of the column looks i rows further down, and may look one more to
+/// the right and down.
+struct Window {
+  ivec2 corner;
+  vec3 texels[WINDOW_WIDTH * WINDOW_HEIGHT];
 };
 
-Resolve resolve(ivec2 pixel, ivec2 speaker, ivec2 last, uint tag) {
-  Neighbourhood n = gather(pixel, last);
-  Resolve r = Resolve(n.centre, 1, false, false, false);
-  vec2 motion = texelFetch(motion_map, speaker, 0).xy;
-  if (!all(lessThan(abs(motion), vec2(MOTION_UNKNOWN / 2)))) return r;  // nor where it is not a number
-  vec2 at = vec2(pixel) + 0.5 + motion;
-  bool inside = all(greaterThanEqual(at, vec2(0))) && all(lessThanEqual(at, frame.size_px));
-  if ((reject & reject_off_screen) != 0 && !inside) return r;
-  vec3 found = read_history(at, last);
-  if (any(isnan(found)) || any(isinf(found))) return r;
-  vec3 history = rectified(found, n);
-  r.rectified = any(greaterThan(abs(history - found), 0.01 * found + 0.001));  // what can be seen
-  r.weight = push.alpha;
-  if ((reject & reject_tag) != 0 && keeps_tags) {
-    r.tag_rejected = tag_differs(tag, at, last);
-    if (r.tag_rejected) {
-      r.weight = 1;
-      r.colour = n.blurred;
-    }
+vec3 catmull_rom_in(Window w, int i, vec2 at) {
+  vec2 f = fract(at - 0.5);
+  bvec2 later = greaterThan(catmull_rom_corner(at) - ivec2(0, i), w.corner);
+  float across[5] = placed(catmull_rom_weights(f.x), later.x), down[5] = placed(catmull_rom_weights(f.y), later.y);
+  vec3 sum = vec3(0);
+  for (int y = 0; y < 5; ++y) {
+    vec3 row = vec3(0);
+    for (int x = 0; x < 5; ++x) row += across[x] * w.texels[WINDOW_WIDTH * (i + y) + x];
+    sum += down[y] * row;
   }
-  if ((reject & reject_near_moving) != 0) {
-    float distance_m = linear_depth(texelFetch(depth_map, speaker, 0).r);
-    r.near_moving =
-        !r.tag_rejected && tag == 0 && length(motion) > push.motion_threshold_px && distance_m < push.far_m;
-    if (r.near_moving) {
-      float share = 1 - smoothstep(push.near_m, push.far_m, distance_m);
-      r.weight = mix(r.weight, 1, share);
-      r.colour = mix(r.colour, n.blurred, share);
+  return max(sum, vec3(0));
+}
+
+/// Pixels above one another mostly come from pixels above one another, give or take one: then 5 x (R + 4) loads do the
+/// work of 16 x R. Those that come from elsewhere wait for another round.
+void read_shared_histories(inout Reprojected r[R]) {
+  bool done[R];
+  ivec2 corners[R];
+  for (int i = 0; i < R; ++i) done[i] = false, corners[i] = catmull_rom_corner(r[i].at) - ivec2(0, i);
+  for (int round = 0; round < R; ++round) {
+    ivec2 of_first = corners[R - 1];
+    for (int i = R - 2; i >= 0; --i) of_first = done[i] ? of_first : corners[i];
+    Window w;
+    w.corner = of_first;
+    for (int i = 0; i < R; ++i)
+      if (!done[i] && all(lessThanEqual(abs(corners[i] - of_first), ivec2(1)))) w.corner = min(w.corner, corners[i]);
+    for (int y = 0; y < WINDOW_HEIGHT; ++y)
+      for (int x = 0; x < WINDOW_WIDTH; ++x)
+        w.texels[WINDOW_WIDTH * y + x] = history_texel(w.corner + ivec2(x, y)).rgb;
+    bool all_done = true;
+    for (int i = 0; i < R; ++i) {
+      ivec2 off = corners[i] - w.corner;
+      if (!done[i] && all(greaterThanEqual(off, ivec2(0))) && all(lessThanEqual(off, ivec2(1)))) {
+        r[i].found = catmull_rom_in(w, i, r[i].at);
+        done[i] = true;
+      }
+      all_done = all_done && done[i];
     }
+    if (all_done) break;
   }
-  r.colour = mix(history, r.colour, r.weight);
-  return r;
+}
+
+void read_histories(inout Reprojected r[R]) {
+  bool sixteen = history_filter == history_catmull_rom || history_filter == history_catmull_rom_16;
+  if (sixteen && ringing == ringing_kept) read_shared_histories(r);
+  else
+    for (int i = 0; i < R; ++i) r[i].found = read_history(r[i].at);
 }
 
 void main() {
-  pixel_or_return(pixel);
-  ivec2 last = ivec2(frame.size_px) - 1;
-  ivec2 speaker = has_history || keeps_tags ? dilated(pixel, last) : pixel;
-  uint tag = reads_tags ? texelFetch(tag_map, speaker, 0).r : 0;
-  Resolve r = Resolve(vec3(0), 1, false, false, false);
-  if (has_history) r = resolve(pixel, speaker, last, tag);
-  else r.colour = finite(texelFetch(colour_map, pixel, 0).rgb);
-
-  vec3 colour = rounded(r.colour, pixel);
-  imageStore(history_out, pixel, vec4(colour, 1));
-  if (keeps_tags) imageStore(tag_out, pixel, uvec4(tag));
-  if (says_why) imageStore(why_out, pixel, vec4(r.weight, r.rectified, r.tag_rejected, r.near_moving));
+  ivec2 first = ivec2(gl_GlobalInvocationID.x, gl_WorkGroupID.y * TAA_ROWS), last = last_pixel();
+  if (first.x > last.x) return;
+  ivec2 speakers[R];
+  if (has_history || writes != 0) speakers_of(first, speakers);
+  else
+    for (int i = 0; i < R; ++i) speakers[i] = first + ivec2(0, i);
+  Reprojected r[R];
+  vec3 found[R], clipped[R];
+  if (has_history) {  // before the neighbourhood is read, so that not both of them have to be kept
+    for (int i = 0; i < R; ++i) r[i] = reproject(first + ivec2(0, i), inside(speakers[i]));
+    read_histories(r);
+    for (int i = 0; i < R; ++i) found[i] = clipped[i] = to_working(r[i].found);
+  }
+  Strip s;
+  if (has_history && (needs_volume() || needs_blurred())) s = gather(first);
+  else
+    for (int i = 0; i < R; ++i) s.centres[i + 1] = colour_at(inside(first + ivec2(0, i)));
+  if (has_history && needs_volume()) rectify_all(s, found, clipped);
+  for (int i = 0; i < R; ++i) {
+    ivec2 pixel = first + ivec2(0, i), speaker = speakers[i];
+    if (pixel.y > last.y) return;
+    vec3 centre = s.centres[i + 1];
+    uint tag = reads_tags ? tag_at(speaker) : 0;
+    Resolve result = Resolve(centre, 1, 1, 0, 0, centre);
+    if (has_history) {
+      vec3 blurred = needs_blurred()
+                         ? (s.blurred_rows[i] + 2 * s.blurred_rows[i + 1] + s.blurred_rows[i + 2]) / 16
+                         : centre;
+      float moved = needs_volume() && (blend == blend_attenuated || writes_to(TAA_WRITES_WHY))
+                        ? moved_by(found[i], clipped[i])
+                        : 0;
+      result = resolve(r[i], rejection(r[i], speaker, tag), centre, blurred, clipped[i], moved);
+    }
+    write_pixel(pixel, speaker, tag, centre, result);
+  }
 }

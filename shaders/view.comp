@@ -2,6 +2,8 @@
 #extension GL_GOOGLE_include_directive : require
 #include "frame.glsl"
 #include "fullscreen.glsl"
+#include "shared/taa.h"
+#include "shared/tonemap.h"
 #include "shared/views.h"
 
 layout(constant_id = 0) const uint view = 0;
@@ -15,6 +17,8 @@ layout(set = 0, binding = VIEW_MOTION) uniform texture2D motion_map;
 layout(set = 0, binding = VIEW_TAG) uniform utexture2D tag_map;
 layout(set = 0, binding = VIEW_VISIBILITY) uniform texture2D visibility_map;
 layout(set = 0, binding = VIEW_WHY) uniform texture2D why_map;
+layout(set = 0, binding = VIEW_HISTORY) uniform texture2D history_map;
+layout(set = 0, binding = VIEW_LIT) uniform texture2D lit_map;
 layout(set = 0, binding = VIEW_OUT, rgba8) uniform writeonly image2D view_out;
 
 const vec3 red = vec3(0.92, 0.05, 0.03);
@@ -43,6 +47,26 @@ bool on_arrow(vec2 pixel) {
   bool shaft = abs(s) <= half_length && side < 0.75;
   bool head = s <= half_length && s > half_length - 5 && side < (half_length - s) * 0.6 + 0.5;
   return shaft || head;
+}
+
+vec3 shown(vec3 colour) { return display_from_linear(colour * frame.exposure); }
+vec4 why_at(ivec2 pixel) { return texelFetch(why_map, min(pixel, textureSize(why_map, 0) - 1), 0); }
+uint causes_at(ivec2 pixel) { return uint(why_at(pixel).b * 255 + 0.5); }
+vec3 marked(vec3 picture, bool is) { return is ? mix(picture, red, 0.75) : picture; }
+
+/// A colour a cause; the last of several.
+vec3 cause_colour(uint causes) { return hue(float(findMSB(causes)) * 0.381966); }
+
+/// Of the box around the 3x3 neighbourhood, as tone-mapped colours have it: 1 is all that the screen shows.
+float box_volume(ivec2 pixel) {
+  vec3 low = vec3(1e30), high = vec3(0);
+  for (int y = -1; y <= 1; ++y)
+    for (int x = -1; x <= 1; ++x) {
+      vec3 colour = shown(texelFetch(lit_map, clamp(pixel + ivec2(x, y), ivec2(0), ivec2(frame.size_px) - 1), 0).rgb);
+      low = min(low, colour), high = max(high, colour);
+    }
+  vec3 side = high - low;
+  return side.x * side.y * side.z;
 }
 
 vec3 draw(ivec2 pixel) {
@@ -74,12 +98,15 @@ vec3 draw(ivec2 pixel) {
   case view_weight:
     if (!resolved) return vec3(1);
     return vec3(texelFetch(why_map, min(pixel, textureSize(why_map, 0) - 1), 0).r);
-  default: {
-    vec4 why = texelFetch(why_map, min(pixel, textureSize(why_map, 0) - 1), 0);
-    bool marked = (view == view_rectified && why.g > 0.5) || (view == view_tag_rejected && why.b > 0.5) ||
-                  (view == view_near_moving && why.a > 0.5);
-    return marked ? mix(picture, red, 0.75) : picture;
-  }
+  case view_history:
+    return resolved ? shown(texelFetch(history_map, min(pixel, textureSize(history_map, 0) - 1), 0).rgb) : vec3(0);
+  case view_age: return resolved ? vec3(log2(1 + why_at(pixel).a * 255) / 6) : vec3(0);
+  case view_volume: return vec3(pow(box_volume(pixel), 1.0 / 3));
+  case view_rejected: return mix(picture, cause_colour(causes_at(pixel)), causes_at(pixel) != 0 ? 0.75 : 0);
+  case view_rectified: return marked(picture, why_at(pixel).g > 0.1);
+  case view_tag_rejected: return marked(picture, (causes_at(pixel) & reject_tag) != 0);
+  case view_near_moving: return marked(picture, (causes_at(pixel) & reject_near_moving) != 0);
+  default: return picture;
   }
 }
 

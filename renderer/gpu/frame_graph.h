@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "renderer/gpu/image.h"
+#include "shaders/shared/workgroup.h"
 
 namespace unghost {
 
@@ -35,6 +36,7 @@ enum class Use : uint8_t {
   depth_attachment, // tested and written
   sampled,          // colour, or depth's depth
   sampled_stencil,
+  storage_read,
   storage_write,
   transfer_source,
   transfer_destination,
@@ -51,6 +53,9 @@ struct Binding {
 
 Binding sampled(uint32_t slot, ImageRef image);
 Binding sampled_stencil(uint32_t slot, ImageRef image);
+/// Read through a linear sampler that clamps to the edge.
+Binding filtered(uint32_t slot, ImageRef image);
+Binding storage_read(uint32_t slot, ImageRef image);
 Binding storage_write(uint32_t slot, ImageRef image);
 Binding uniform(uint32_t slot, BufferSlice buffer);
 Binding buffer(uint32_t slot, BufferSlice buffer);
@@ -63,13 +68,16 @@ struct Attachment {
   bool together = false; // kept where any other attachment of the pass that says so is read
 };
 
-/// A specialization constant: a number, or whether anybody reads an image that the pass could write.
+/// A specialization constant: a number, with bits that stand for images which the pass could write, set where anybody
+/// reads them.
 struct Constant {
   uint32_t value = 0;
-  ImageRef live;
+  std::vector<std::pair<ImageRef, uint32_t>> if_live;
 
   Constant(uint32_t number) : value(number) {}
-  Constant(ImageRef image) : live(image) {}
+  Constant(ImageRef image) : if_live{{image, 1}} {}
+  Constant(uint32_t number, std::vector<std::pair<ImageRef, uint32_t>> bits)
+      : value(number), if_live(std::move(bits)) {}
 };
 
 enum class PassKind : uint8_t { compute, raster, transfer };
@@ -93,7 +101,8 @@ struct ComputePass {
   std::vector<Constant> constants; // constant_id 0, 1, ...
   std::vector<Binding> bindings;
   std::vector<std::byte> push;
-  VkExtent2D cover; // an invocation a pixel of this
+  VkExtent2D cover; // this many pixels
+  VkExtent2D group{WORKGROUP_WIDTH, WORKGROUP_HEIGHT}; // of which a workgroup does so many
 };
 
 /// What outlives frames, by name: histories and caches. Knows what they are and whether they hold something;

@@ -42,6 +42,17 @@ void record_barriers(VkCommandBuffer commands, const std::vector<ImageBarrier>& 
   if (!all.empty()) vkCmdPipelineBarrier2(commands, &info);
 }
 
+OwnedSampler make_linear_sampler(VkDevice device) {
+  const VkSamplerCreateInfo info{.sType = VK_STRUCTURE_TYPE_SAMPLER_CREATE_INFO,
+                                 .magFilter = VK_FILTER_LINEAR,
+                                 .minFilter = VK_FILTER_LINEAR,
+                                 .addressModeU = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE,
+                                 .addressModeV = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE};
+  VkSampler made = VK_NULL_HANDLE;
+  check(vkCreateSampler(device, &info, nullptr, &made), "making a sampler");
+  return {device, made};
+}
+
 /// Gives frame memory back however a frame ends.
 struct GivenBack {
   FrameMemory& memory;
@@ -51,7 +62,8 @@ struct GivenBack {
 } // namespace
 
 GraphRunner::GraphRunner(Device& device, std::filesystem::path shaders)
-    : device_(device), pipelines_(device, std::move(shaders)), memory_(device) {}
+    : device_(device), pipelines_(device, std::move(shaders)), memory_(device),
+      linear_(make_linear_sampler(device.handle())) {}
 
 uint32_t GraphRunner::place_for(const FrameGraph::GraphImage& image, const PlannedImage& planned,
                                 uint64_t frame) {

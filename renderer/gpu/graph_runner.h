@@ -54,6 +54,7 @@ private:
   Pipelines pipelines_;
   FrameMemory memory_;
   KeptImages kept_;
+  OwnedSampler linear_;
   std::vector<Place> pool_;
   std::vector<ImageState> states_; // of the pool's images
   OwnedQueryPool queries_;

@@ -2,7 +2,6 @@
 #include <cassert>
 
 #include "renderer/gpu/graph_runner.h"
-#include "shaders/shared/workgroup.h"
 
 namespace unghost {
 
@@ -34,7 +33,8 @@ void PassCommands::push_bindings(VkPipelineBindPoint point, VkPipelineLayout lay
       const VkImageView view = binding.use == Use::sampled_stencil ? image.stencil
                                : is_depth(format)                  ? image.depth
                                                                    : image.view;
-      images[i] = {VK_NULL_HANDLE, view, facts_of(binding.use, pass_.kind, format).layout};
+      const bool filters = binding.type == VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
+      images[i] = {filters ? VkSampler(context_.runner.linear_) : VK_NULL_HANDLE, view, facts_of(binding.use, pass_.kind, format).layout};
     } else {
       buffers[i] = {binding.buffer.buffer, binding.buffer.offset, binding.buffer.size};
     }
@@ -51,15 +51,17 @@ void PassCommands::push_bindings(VkPipelineBindPoint point, VkPipelineLayout lay
 
 void PassCommands::dispatch(const ComputePass& pass) {
   std::vector<uint32_t> constants;
-  for (const Constant& constant : pass.constants)
-    constants.push_back(constant.live ? uint32_t(live(constant.live)) : constant.value);
+  for (const Constant& constant : pass.constants) {
+    constants.push_back(constant.value);
+    for (const auto& [image, bit] : constant.if_live) constants.back() |= live(image) ? bit : 0;
+  }
   bound_ = layout(VK_NULL_HANDLE);
   const VkPipeline pipeline = context_.runner.pipelines_.compute(pass.shader, constants, bound_);
   vkCmdBindPipeline(commands_, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline);
   push_bindings(VK_PIPELINE_BIND_POINT_COMPUTE, bound_);
   push(pass.push);
-  vkCmdDispatch(commands_, (pass.cover.width + WORKGROUP_WIDTH - 1) / WORKGROUP_WIDTH,
-                (pass.cover.height + WORKGROUP_HEIGHT - 1) / WORKGROUP_HEIGHT, 1);
+  vkCmdDispatch(commands_, (pass.cover.width + pass.group.width - 1) / pass.group.width,
+                (pass.cover.height + pass.group.height - 1) / pass.group.height, 1);
 }
 
 void PassCommands::push(std::span<const std::byte> bytes) {

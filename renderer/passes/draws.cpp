@@ -19,6 +19,7 @@ std::vector<VkVertexInputAttributeDescription> vertex_attributes() {
 
 GraphicsDesc pipeline_of(const PassCommands& commands, const DrawStyle& style, uint32_t features,
                          bool moved) {
+  features |= style.features;
   GraphicsDesc desc{.vertex = style.vertex,
                     .fragment = style.fragment,
                     .constants = {features, uint32_t(moved)},

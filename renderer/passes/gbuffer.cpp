@@ -35,7 +35,11 @@ GBuffer draw_gbuffer(FrameGraph& graph, const FrameContext& in) {
                 if (commands.live(gbuffer.emissive)) fragment += ".emissive";
                 if (commands.live(gbuffer.object_motion)) fragment += ".motion";
                 if (commands.live(gbuffer.object)) fragment += ".object";
-                record_draws(commands, in, in.visible, {.vertex = "gbuffer.vert", .fragment = fragment});
+                record_draws(commands, in, in.visible,
+                             {.vertex = "gbuffer.vert",
+                              .fragment = fragment,
+                              .features = (in.shifts_textures ? SHIFTS_TEXTURES : 0u) |
+                                          (in.biases_textures ? BIASES_TEXTURES : 0u)});
                 commands.end_rendering();
               }});
   return gbuffer;

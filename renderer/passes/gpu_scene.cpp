@@ -65,7 +65,7 @@ std::vector<TexturePlaces> places_of_textures(const Scene& scene) {
 } // namespace
 
 GpuScene::GpuScene(Device& device, const Scene& scene)
-    : materials(material_data(scene)),
+    : software(device.facts().software), materials(material_data(scene)),
       vertices(upload(device, scene.vertices, VK_BUFFER_USAGE_VERTEX_BUFFER_BIT)),
       indices(upload(device, scene.indices, VK_BUFFER_USAGE_INDEX_BUFFER_BIT)),
       texture_places(upload(device, places_of_textures(scene), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT)),

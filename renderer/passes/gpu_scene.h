@@ -31,7 +31,8 @@ struct GpuScene {
   /// The node of each object; as long as the objects of a frame.
   std::vector<int> object_nodes;
   SceneTraits traits;
-  Bounds vehicle; // in its own frame; empty where the scene has none
+  bool software = false; // the device
+  Bounds vehicle;        // in its own frame; empty where the scene has none
   std::vector<MaterialData> materials;
   GpuBuffer vertices, indices, texture_places;
   MaterialTextures textures;

@@ -8,6 +8,11 @@
 
 namespace unghost {
 
+/// Of what is tagged, along the view axis; zeros where nothing is.
+struct DepthRange {
+  float deepest_m = 0, length_m = 0;
+};
+
 /// What a pass is told of the frame. The same for all passes that share a jitter.
 struct FrameContext {
   const GpuScene& scene;
@@ -29,6 +34,11 @@ struct FrameContext {
   uint32_t shadow_texels = 0;          // along a side of the map
   uint64_t shadow_version = 0;         // changes with whatever the shadows of what rests depend on
   std::vector<uint8_t> policy_changed; // by mode: its history is of another policy
+  DepthRange tagged;
+  bool measures_copy = false;
+  bool software = false;        // the device: some ways to the same result suit one better
+  bool shifts_textures = false; // back by the jitter
+  bool biases_textures = false;
 };
 
 /// What nobody reads of these is not drawn.
@@ -45,6 +55,7 @@ struct GBuffer {
 struct Motion {
   ImageRef motion_px;      // RG32F
   ImageRef previous_depth; // R32F, metres
+  ImageRef depth;          // R32F: the G-buffer's depth, in a format that can be loaded without a sampler
 };
 
 struct Lit {
@@ -53,8 +64,10 @@ struct Lit {
 };
 
 struct Resolved {
-  ImageRef colour; // RGBA16F, linear
-  ImageRef why;    // RGBA8: weight of the current frame, rectified, tag rejected, near and moving; or none
+  ImageRef colour;  // RGBA16F, linear
+  ImageRef why;     // RGBA8: weight of the current frame, how far rectified, causes of rejection (TAA_REJECT
+                    // bits), age
+  ImageRef history; // RGBA16F, linear: what was mixed with the current frame
 };
 
 struct TaaInputs {
@@ -69,6 +82,10 @@ Motion resolve_motion(FrameGraph& graph, const FrameContext& in, const GBuffer& 
 Lit light(FrameGraph& graph, const FrameContext& in, const GBuffer& gbuffer, ImageRef shadow_map);
 /// The history is the run's own: it belongs to `place` in the list of modes.
 Resolved resolve_taa(FrameGraph& graph, const FrameContext& in, const TaaInputs& inputs, size_t place);
+/// Returns the colour where nothing is to be sharpened.
+ImageRef sharpen(FrameGraph& graph, const FrameContext& in, ImageRef colour, size_t place);
+/// A full-screen copy that nobody reads: what run times are compared with.
+void copy_yardstick(FrameGraph& graph, const FrameContext& in, ImageRef colour);
 /// sRGB, RGBA8.
 ImageRef tonemap(FrameGraph& graph, const FrameContext& in, ImageRef colour);
 

@@ -2,49 +2,162 @@
 #include "shaders/shared/bindings.h"
 
 namespace unghost {
+namespace {
+
+constexpr VkFormat colour_format = VK_FORMAT_R16G16B16A16_SFLOAT, motion_format = VK_FORMAT_R32G32_SFLOAT,
+                   depth_format = VK_FORMAT_R32_SFLOAT, object_format = VK_FORMAT_R32_UINT,
+                   tag_format = VK_FORMAT_R8_UINT;
+
+/// What one mode keeps from frame to frame; where it does not keep one, `previous` is neutral and `next` 1x1.
+struct Kept {
+  History colour, tags, motion, depth, objects;
+  uint32_t writes = 0; // TAA_WRITES_ bits
+  bool valid = true;   // all that are kept hold last frame's
+};
+
+Kept kept_by(FrameGraph& graph, const FrameContext& in, size_t place) {
+  const TaaPolicy& policy = in.modes[place].taa.policy;
+  const bool reset = in.cut || in.policy_changed[place];
+  const std::string key = "history " + std::to_string(place);
+  Kept kept;
+  const auto keep = [&](bool needed, const char* what, VkFormat format, uint32_t bit) {
+    if (!needed) return History{.previous = graph.neutral(format), .next = graph.image({"none", format})};
+    const History history = graph.history(what + key, {.format = format, .extent = in.size}, reset);
+    kept.writes |= bit;
+    kept.valid = kept.valid && history.valid;
+    return history;
+  };
+  kept.colour = keep(true, "", colour_format, 0);
+  const bool tagged = in.scene.traits.tagged;
+  kept.tags = keep(policy.needs_previous_tags() && tagged, "tags of ", tag_format, TAA_WRITES_TAG);
+  kept.motion = keep(policy.needs_previous_motion(), "motion of ", motion_format, TAA_WRITES_MOTION);
+  kept.depth = keep(policy.needs_previous_depth(), "depth of ", depth_format, TAA_WRITES_DEPTH);
+  kept.objects = keep(policy.needs_previous_objects(), "objects of ", object_format, TAA_WRITES_OBJECT);
+  if (policy.blend == Blend::counting || in.view == View::age) kept.writes |= TAA_WRITES_COUNT;
+  return kept;
+}
+
+/// A sixteen-load Catmull-Rom is what a software device does faster, nine taps what others do.
+HistoryFilter filter_for(const FrameContext& in, HistoryFilter asked) {
+  if (asked != HistoryFilter::catmull_rom) return asked;
+  return in.software ? HistoryFilter::catmull_rom_16 : HistoryFilter::catmull_rom_9;
+}
+
+/// Thresholds of near and moving that are not set are found from what is tagged: all of it, and as much road
+/// beyond as it is long.
+std::pair<float, float> near_and_far(const FrameContext& in, const TaaSettings& taa) {
+  const float near_m = taa.near_m > 0 ? taa.near_m : in.tagged.deepest_m;
+  const float far_m = taa.far_m > 0 ? taa.far_m : near_m + in.tagged.length_m;
+  return {std::min(near_m, 0.999f * far_m), far_m};
+}
+
+TaaPush push_of(const FrameContext& in, const TaaSettings& taa) {
+  const auto [near_m, far_m] = near_and_far(in, taa);
+  return {.alpha = taa.alpha,
+          .gamma = taa.gamma,
+          .motion_threshold_px = taa.motion_threshold_px,
+          .near_m = near_m,
+          .far_m = far_m,
+          .velocity_min = taa.velocity_min,
+          .velocity_slope = taa.velocity_slope,
+          .motion_length_px = taa.motion_length_px,
+          .speed_px = taa.speed_px,
+          .depth_share = taa.depth_share,
+          .frame = uint32_t(in.index)};
+}
+
+/// Everything that a resolve reads and writes. What it has no use for is neutral, so that nothing is made for
+/// it.
+std::vector<Binding> bindings_of(FrameGraph& graph, const FrameContext& in, const TaaInputs& inputs,
+                                 const TaaSettings& taa, const Kept& kept, const Resolved& resolved) {
+  const TaaPolicy& policy = taa.policy;
+  const bool reads = kept.valid, fast = taa.resolver == Resolver::fast;
+  const auto read = [&](uint32_t slot, ImageRef image) {
+    return fast ? storage_read(slot, image) : sampled(slot, image);
+  };
+  const auto read_if = [&](bool needed, uint32_t slot, ImageRef image, VkFormat format) {
+    return read(slot, needed ? image : graph.neutral(format));
+  };
+  const HistoryFilter filter = filter_for(in, policy.history);
+  const bool by_taps = filter == HistoryFilter::catmull_rom_9 || filter == HistoryFilter::catmull_rom_5;
+  const bool motion = reads || (kept.writes & TAA_WRITES_MOTION) != 0 || policy.dilation == Dilation::longest;
+  const bool depth = policy.needs_depth() && (reads || kept.writes != 0);
+  const bool objects = policy.needs_objects() && (reads || kept.writes != 0);
+  const bool tags = policy.needs_tags() && in.scene.traits.tagged;
+  // Neutral images that are sampled have formats of their own: in one pass an image has one layout.
+  const ImageRef no_integers = graph.neutral(VK_FORMAT_R16_UINT),
+                 no_floats = graph.neutral(VK_FORMAT_R8_UNORM);
+  const ImageRef previous = kept.colour.previous, nothing = graph.image({"none", colour_format});
+  const bool keeps_input = policy.keeps == Keeps::input;
+  return {uniform(FRAME_BINDING, in.constants),
+          read(TAA_COLOUR, inputs.colour),
+          read_if(reads && !by_taps, TAA_PREVIOUS, previous, colour_format),
+          filtered(TAA_HISTORY_SAMPLER, reads && by_taps ? previous : no_floats),
+          fast ? storage_read(TAA_DEPTH, depth ? inputs.motion.depth : graph.neutral(depth_format))
+               : sampled(TAA_DEPTH, depth ? inputs.gbuffer.depth : no_floats),
+          read_if(motion, TAA_MOTION, inputs.motion.motion_px, motion_format),
+          tags ? sampled_stencil(TAA_TAG, inputs.gbuffer.depth) : sampled(TAA_TAG, no_integers),
+          sampled(TAA_OBJECT, objects ? inputs.gbuffer.object : no_integers),
+          read(TAA_PREVIOUS_TAG, kept.tags.previous),
+          read(TAA_PREVIOUS_MOTION, kept.motion.previous),
+          read(TAA_PREVIOUS_DEPTH, kept.depth.previous),
+          read(TAA_PREVIOUS_OBJECT, kept.objects.previous),
+          read_if(reads && policy.needs_previous_depth(), TAA_EXPECTED_DEPTH, inputs.motion.previous_depth,
+                  depth_format),
+          storage_write(TAA_OUT, resolved.colour),
+          storage_write(TAA_INPUT_OUT, keeps_input ? kept.colour.next : nothing),
+          storage_write(TAA_TAG_OUT, kept.tags.next),
+          storage_write(TAA_MOTION_OUT, kept.motion.next),
+          storage_write(TAA_DEPTH_OUT, kept.depth.next),
+          storage_write(TAA_OBJECT_OUT, kept.objects.next),
+          storage_write(TAA_WHY_OUT, resolved.why),
+          storage_write(TAA_HISTORY_OUT, resolved.history)};
+}
+
+/// In the order of the TAA_..._ID constants.
+std::vector<Constant> constants_of(const FrameContext& in, const TaaPolicy& policy, const Kept& kept,
+                                   const Resolved& resolved) {
+  const bool reads_tags = policy.needs_tags() && in.scene.traits.tagged;
+  return {uint32_t(policy.dilation),
+          uint32_t(filter_for(in, policy.history)),
+          uint32_t(policy.ringing),
+          uint32_t(policy.space),
+          uint32_t(policy.weighting),
+          uint32_t(policy.rectify),
+          policy.uses_dop() ? uint32_t(policy.axes) : 0u,
+          uint32_t(policy.reject),
+          uint32_t(policy.blend),
+          uint32_t(policy.keeps),
+          uint32_t(kept.valid),
+          uint32_t(reads_tags),
+          {kept.writes, {{resolved.why, TAA_WRITES_WHY}, {resolved.history, TAA_WRITES_HISTORY}}}};
+}
+
+} // namespace
 
 Resolved resolve_taa(FrameGraph& graph, const FrameContext& in, const TaaInputs& inputs, size_t place) {
   const TaaSettings& taa = in.modes[place].taa;
-  const TaaPolicy& policy = taa.policy;
-  if (!policy.needs_history()) return {.colour = inputs.colour, .why = {}};
-
-  const std::string key = "history " + std::to_string(place);
-  const bool reset = in.cut || in.policy_changed[place];
-  const History colour =
-      graph.history(key, {.format = VK_FORMAT_R16G16B16A16_SFLOAT, .extent = in.size}, reset);
-  const bool keeps_tags = policy.needs_previous_tags() && in.scene.traits.tagged;
-  const ImageRef no_tag = graph.neutral(VK_FORMAT_R8_UINT);
-  History tags{.previous = no_tag, .next = graph.image({.name = "no tags", .format = VK_FORMAT_R8_UINT})};
-  if (keeps_tags)
-    tags = graph.history("tags of " + key, {.format = VK_FORMAT_R8_UINT, .extent = in.size}, reset);
-  const ImageRef why = graph.image({.name = "why", .format = VK_FORMAT_R8G8B8A8_UNORM, .extent = in.size});
-  const TaaPush push{.alpha = taa.alpha,
-                     .motion_threshold_px = taa.motion_threshold_px,
-                     .near_m = taa.near_m,
-                     .far_m = taa.far_m,
-                     .frame = uint32_t(in.index)};
+  if (!taa.policy.needs_history()) return {.colour = inputs.colour, .why = {}, .history = {}};
+  const Kept kept = kept_by(graph, in, place);
+  const auto image = [&](const char* name, VkFormat format) {
+    return graph.image({.name = name, .format = format, .extent = in.size});
+  };
+  const Resolved resolved{.colour = taa.policy.keeps == Keeps::result ? kept.colour.next
+                                                                      : image("resolved", colour_format),
+                          .why = image("why", VK_FORMAT_R8G8B8A8_UNORM),
+                          .history = image("history as used", colour_format)};
+  const TaaPush push = push_of(in, taa);
   const auto bytes = std::as_bytes(std::span(&push, 1));
-  // Without a history the frame is taken as it is: nothing is made for questions that nobody asks.
-  const bool has_history = colour.valid && (!keeps_tags || tags.valid);
-  const bool reads_tags = in.scene.traits.tagged && (keeps_tags || (has_history && policy.needs_tags()));
-  const ImageRef motion = has_history ? inputs.motion.motion_px : graph.neutral(VK_FORMAT_R32G32_SFLOAT);
-  const ImageRef depth =
-      has_history || keeps_tags ? inputs.gbuffer.depth : graph.neutral(VK_FORMAT_R32_SFLOAT);
-  graph.compute(
-      {.name = "taa " + in.modes[place].name,
-       .shader = "taa.comp",
-       .constants = {uint32_t(policy.dilation), uint32_t(policy.history), uint32_t(policy.rectify),
-                     uint32_t(policy.reject), uint32_t(reads_tags), uint32_t(keeps_tags), why,
-                     uint32_t(has_history)},
-       .bindings = {uniform(FRAME_BINDING, in.constants), sampled(TAA_COLOUR, inputs.colour),
-                    sampled(TAA_PREVIOUS, colour.previous), sampled(TAA_DEPTH, depth),
-                    sampled(TAA_MOTION, motion),
-                    reads_tags ? sampled_stencil(TAA_TAG, inputs.gbuffer.depth) : sampled(TAA_TAG, no_tag),
-                    sampled(TAA_PREVIOUS_TAG, tags.previous), storage_write(TAA_OUT, colour.next),
-                    storage_write(TAA_TAG_OUT, tags.next), storage_write(TAA_WHY_OUT, why)},
-       .push = {bytes.begin(), bytes.end()},
-       .cover = in.size});
-  return {.colour = colour.next, .why = why};
+  const bool fast = taa.resolver == Resolver::fast;
+  graph.compute({.name = (fast ? "taa " : "naive taa ") + in.modes[place].name,
+                 .shader = fast ? "taa.comp" : "taa_naive.comp",
+                 .constants = constants_of(in, taa.policy, kept, resolved),
+                 .bindings = bindings_of(graph, in, inputs, taa, kept, resolved),
+                 .push = {bytes.begin(), bytes.end()},
+                 .cover = in.size,
+                 .group = fast ? VkExtent2D{TAA_GROUP_WIDTH, TAA_GROUP_HEIGHT}
+                               : VkExtent2D{TAA_NAIVE_SIDE, TAA_NAIVE_SIDE}});
+  return resolved;
 }
 
 } // namespace unghost

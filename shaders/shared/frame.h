@@ -36,6 +36,8 @@ struct FrameConstants {
   float exposure;
   float shadow_texels;          // along a side of the shadow map
   float shadow_texel_m;
+  vec2 texture_jitter_px;       // what textures are shifted by, so that the jitter does not move them
+  float mip_bias;
   mat4x3 underside_from_eye;    // the vehicle's underside: a rectangle about the origin in the plane y = 0, y upwards
   vec2 underside_half;          // metres along its x and z; 0 where there is no vehicle
 };
@@ -54,6 +56,8 @@ SHARED_CONSTANT MATERIAL_TEXTURES = 7;
 SHARED_CONSTANT HAS_ALPHA_MASK = 128;
 SHARED_CONSTANT IS_UNLIT = 256;
 SHARED_CONSTANT HAS_TEXTURE_PLACES = 512;  // some texture reads uv1, or a transformed uv
+SHARED_CONSTANT SHIFTS_TEXTURES = 1024;
+SHARED_CONSTANT BIASES_TEXTURES = 2048;
 
 struct MaterialData {
   vec4 base_colour;

@@ -5,31 +5,85 @@
 
 #include "language.h"
 
-#define TAA_JITTER(X) X(jitter, none, 0) X(jitter, halton_8, 1)
-#define TAA_DILATION(X) X(dilation, centre, 0) X(dilation, closest_depth, 1)
-#define TAA_HISTORY(X) X(history, bilinear, 0) X(history, catmull_rom, 1)
-#define TAA_RECTIFY(X) X(rectify, none, 0) X(rectify, box_clamp, 1)
-#define TAA_REJECT(X) X(reject, off_screen, 1) X(reject, tag, 2) X(reject, near_moving, 4)
-#define TAA_BLEND(X) X(blend, current, 0) X(blend, constant, 1)
+#define TAA_JITTER(X)                                                                                        \
+  X(jitter, none, 0) X(jitter, halton_8, 1) X(jitter, halton_16, 2) X(jitter, blue_noise_16, 3)              \
+  X(jitter, r2_10, 4) X(jitter, two_samples, 5) X(jitter, rotated_grid, 6)
+#define TAA_DILATION(X)                                                                                      \
+  X(dilation, centre, 0) X(dilation, closest_depth, 1) X(dilation, depth_edges, 2) X(dilation, longest, 3)
+// catmull_rom is the way to compute it that suits the device; the two after it force one
+#define TAA_HISTORY(X)                                                                                       \
+  X(history, nearest, 0) X(history, bilinear, 1) X(history, catmull_rom, 2) X(history, catmull_rom_16, 3)    \
+  X(history, catmull_rom_9, 4) X(history, catmull_rom_5, 5)
+#define TAA_RINGING(X) X(ringing, kept, 0) X(ringing, clamped, 1)
+#define TAA_SPACE(X) X(space, rgb, 0) X(space, ycocg, 1)
+#define TAA_WEIGHTING(X) X(weighting, none, 0) X(weighting, inverse_luminance, 1) X(weighting, log, 2)
+#define TAA_RECTIFY(X)                                                                                       \
+  X(rectify, none, 0) X(rectify, box_clamp, 1) X(rectify, box_clip, 2) X(rectify, variance_clamp, 3)         \
+  X(rectify, variance_clip, 4) X(rectify, dop_clip, 5) X(rectify, dop_variance, 6)
+#define TAA_AXES(X)                                                                                          \
+  X(axes, xyz, 0) X(axes, dop16, 1) X(axes, dop22, 2) X(axes, dop32, 3) X(axes, dop16_grass, 4)              \
+  X(axes, dop16_asphalt, 5) X(axes, dop16_ours, 6)
+#define TAA_REJECT(X)                                                                                        \
+  X(reject, off_screen, 1) X(reject, tag, 2) X(reject, near_moving, 4) X(reject, velocity, 8)                \
+  X(reject, motion_length, 16) X(reject, speed, 32) X(reject, depth, 64) X(reject, object, 128)
+#define TAA_BLEND(X) X(blend, current, 0) X(blend, constant, 1) X(blend, counting, 2) X(blend, attenuated, 3)
+#define TAA_KEEPS(X) X(keeps, result, 0) X(keeps, input, 1)
+// of the textures of what is drawn; and which implementation resolves
+#define TAA_TEXTURE_JITTER(X) X(texture_jitter, kept, 0) X(texture_jitter, removed, 1)
+#define TAA_RESOLVER(X) X(resolver, fast, 0) X(resolver, naive, 1)
 
 #ifndef __cplusplus
 #define TAA_CONSTANT(column, answer, value) const uint column##_##answer = value;
-TAA_JITTER(TAA_CONSTANT)
 TAA_DILATION(TAA_CONSTANT)
 TAA_HISTORY(TAA_CONSTANT)
+TAA_RINGING(TAA_CONSTANT)
+TAA_SPACE(TAA_CONSTANT)
+TAA_WEIGHTING(TAA_CONSTANT)
 TAA_RECTIFY(TAA_CONSTANT)
+TAA_AXES(TAA_CONSTANT)
 TAA_REJECT(TAA_CONSTANT)
 TAA_BLEND(TAA_CONSTANT)
+TAA_KEEPS(TAA_CONSTANT)
 #endif
 
 SHARED_BEGIN
 
+/// The specialization constants of the resolve, in the order of their ids.
+SHARED_CONSTANT TAA_DILATION_ID = 0;
+SHARED_CONSTANT TAA_HISTORY_ID = 1;
+SHARED_CONSTANT TAA_RINGING_ID = 2;
+SHARED_CONSTANT TAA_SPACE_ID = 3;
+SHARED_CONSTANT TAA_WEIGHTING_ID = 4;
+SHARED_CONSTANT TAA_RECTIFY_ID = 5;
+SHARED_CONSTANT TAA_AXES_ID = 6;
+SHARED_CONSTANT TAA_REJECT_ID = 7;
+SHARED_CONSTANT TAA_BLEND_ID = 8;
+SHARED_CONSTANT TAA_KEEPS_ID = 9;
+SHARED_CONSTANT TAA_HAS_HISTORY_ID = 10; // without one the frame is taken as it is
+SHARED_CONSTANT TAA_READS_TAGS_ID = 11;
+SHARED_CONSTANT TAA_WRITES_ID = 12; // the TAA_WRITES_ bits
+SHARED_CONSTANT TAA_CONSTANTS = 13;
+
+/// What a resolve writes beside its result.
+SHARED_CONSTANT TAA_WRITES_TAG = 1;    // for the next frame's rejections
+SHARED_CONSTANT TAA_WRITES_MOTION = 2;
+SHARED_CONSTANT TAA_WRITES_DEPTH = 4;
+SHARED_CONSTANT TAA_WRITES_OBJECT = 8;
+SHARED_CONSTANT TAA_WRITES_COUNT = 16;  // of the frames that a history holds
+SHARED_CONSTANT TAA_WRITES_WHY = 32;    // for the views
+SHARED_CONSTANT TAA_WRITES_HISTORY = 64;
+
 /// How much of each answer; push constants of the resolve.
 struct TaaPush {
   float alpha;
-  float motion_threshold_px;
-  float near_m, far_m;
-  uint frame; // seeds the rounding
+  float gamma;                    // variance: this many standard deviations
+  float motion_threshold_px;      // near and moving: faster than this
+  float near_m, far_m;            // near and moving: fades from all to nothing
+  float velocity_min, velocity_slope;  // velocity: shares of the picture's sides, and what a share more costs
+  float motion_length_px;         // motion length: differs by more than this
+  float speed_px;                 // speed: faster than this
+  float depth_share;              // depth: differs by more than this share
+  uint frame;                     // seeds the rounding
 };
 
 SHARED_END

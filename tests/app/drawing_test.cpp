@@ -161,6 +161,33 @@ TEST_F(DrawingTest, APassCountsOnceAFrame) {
   EXPECT_LT(whole, sum) << "what is kept is another pass's in another frame\n" << drawn.err;
 }
 
+TEST_F(DrawingTest, ABenchSaysWhatEachModeAdds) {
+  const Outcome run = draw({"bench", "--rounds", "3", "--modes", "off,gdk-clamp,dop32", "--json"});
+  const json object = json::parse(run.out);
+  EXPECT_EQ(object.at("rounds"), 3);
+  EXPECT_GT(object.at("copy_ms").get<double>(), 0);
+  EXPECT_EQ(object.at("rows").at(0).at("ms"), 0) << "off adds nothing";
+  for (const size_t row : {1, 2}) {
+    const json& one = object.at("rows").at(row);
+    EXPECT_GT(one.at("resolve_ms").get<double>(), 0);
+    EXPECT_GT(one.at("ms").get<double>(), one.at("resolve_ms").get<double>()) << "motion is part of it";
+    EXPECT_LE(one.at("p05").get<double>(), one.at("p95").get<double>());
+    EXPECT_GT(one.at("over_naive").get<double>(), 0);
+    EXPECT_GT(one.at("over_copy").get<double>(), 0);
+  }
+}
+
+TEST_F(DrawingTest, AxesOfASceneAreThoseOfItsSeed) {
+  const auto found = [&](const char* seed) {
+    return json::parse(
+        draw({"axes", "--faces", "8", "--of-scene", "--frames", "9", "--seed", seed, "--json"}).out);
+  };
+  const json first = found("1");
+  EXPECT_EQ(first, found("1"));
+  EXPECT_NE(first.at("axes"), found("2").at("axes"));
+  EXPECT_LT(first.at("tightness").at("found").get<double>(), first.at("tightness").at("xyz").get<double>());
+}
+
 TEST_F(DrawingTest, AModelThatIsASinglePointDraws) {
   const json model = {
       {"asset", {{"version", "2.0"}}},

@@ -11,15 +11,17 @@ namespace {
 
 /// Trail by mode; a validation message would have ended the run with another exit code.
 std::map<std::string, double> trails(const std::string& rig) {
-  const Outcome run = outcome({"measure", "--rig", rig, "--modes", "blend,gdk-clamp,uncharted,grand-tour",
-                               "--what", "trail", "--size", "320x180", "--validate", "--json"});
+  const Outcome run =
+      outcome({"measure", "--rig", rig, "--what", "trail", "--size", "256x144", "--frames", "26", "--validate",
+               "--json"});
   EXPECT_EQ(run.exit, 0) << run.err;
   std::map<std::string, double> trail;
   const nlohmann::json object = nlohmann::json::parse(run.out);
   for (const auto& row : object.at("rows")) {
-    trail[row.at("mode").get<std::string>()] = row.at("trail").get<double>();
-    std::printf("%-8s %-12s %.4f\n", rig.c_str(), row.at("mode").get<std::string>().c_str(),
-                row.at("trail").get<double>());
+    const std::string mode = row.at("mode").get<std::string>();
+    trail[mode] = row.at("trail").get<double>();
+    trail[mode + " shadow"] = row.at("trail_shadow").is_null() ? 0 : row.at("trail_shadow").get<double>();
+    std::printf("%-8s %-12s %.4f\n", rig.c_str(), mode.c_str(), trail[mode]);
   }
   return trail;
 }
@@ -29,12 +31,23 @@ std::map<std::string, double> ordered_trails(const char* rig) {
   std::map<std::string, double> trail = trails(rig);
   EXPECT_GT(trail["blend"], trail["gdk-clamp"]);
   EXPECT_GT(trail["gdk-clamp"], trail["grand-tour"]);
+  EXPECT_GT(trail["gdk-clamp"], trail["gdk-clip"]) << "a clip comes nearer to the current colour";
+  EXPECT_GT(trail["gdk-clamp"], trail["gdk-variance"]);
+  EXPECT_GT(trail["rgb"], trail["rgb-var"]) << "a variance is tighter than the box it is taken in";
+  EXPECT_GT(trail["ycocg"], trail["ycocg-var"]);
+  EXPECT_GT(trail["dop32"], trail["dop32-var"]);
+  EXPECT_GT(trail["rgb"], trail["dop32"]) << "32 faces are tighter than 6";
+  EXPECT_GT(trail["rgb"], trail["dop16-opt"]) << "and so are 16 that were found for this asphalt";
+  EXPECT_GT(trail["gdk-clamp"], trail["holy-trail"]);
+  EXPECT_GT(trail["crytek-2x"], trail["ac4"]) << "speed rejects what lengths do not";
   return trail;
 }
 
 TEST(TrailOrders, DriveNeedsMoreThanTags) {
   std::map<std::string, double> trail = ordered_trails("drive");
   EXPECT_LT(trail["grand-tour"], trail["uncharted"]) << "near and moving: the road";
+  EXPECT_GT(trail["crytek-2x shadow"], 4 * trail["ac4 shadow"])
+      << "the shadow moves over a road that moves alike";
 }
 
 TEST(TrailOrders, RotateNeedsTags) {

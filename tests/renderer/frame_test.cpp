@@ -149,6 +149,51 @@ TEST_F(Frame, EveryViewIsDrawnWithAndWithoutAHistoryAndShowsSomethingElse) {
   EXPECT_EQ(pictures.size(), answers<View>().size());
 }
 
+/// The mean difference of neighbours across, in 8 bits.
+double contrast(const Image& picture) {
+  double sum = 0;
+  for (size_t i = 4; i < picture.rgba.size(); i += 4)
+    sum += std::abs(int(picture.rgba[i]) - int(picture.rgba[i - 4]));
+  return sum / double(picture.rgba.size() / 4);
+}
+
+TEST_F(Frame, SharpeningAndMipBiasAddContrastAndNothingElse) {
+  const auto picture = [&](float amount, float bias, float sun) {
+    ModeRun run = run_of("off");
+    run.taa.sharpen = amount, run.taa.mip_bias = bias;
+    FrameInput input = studio->frame("drive", 5, {run}, {{Output::display}});
+    input.settings.light.sun_illuminance = sun;
+    if (sun == 0) input.settings.light.sky_luminance = 0;
+    return studio->renderer.render(input).delivered[0].picture;
+  };
+  const double plain = contrast(picture(0, 0, 1));
+  EXPECT_GT(contrast(picture(2, 0, 1)), 1.2 * plain);
+  EXPECT_GT(contrast(picture(0, -2, 1)), 1.05 * plain);
+  const Image dark = picture(0, 0, 0), sharp = picture(2, 0, 0); // but for what shines by itself
+  for (size_t i = 0; i < dark.rgba.size(); ++i)
+    ASSERT_TRUE(dark.rgba[i] != 0 || sharp.rgba[i] == 0) << "what is black stays black, " << i;
+}
+
+// Without its jitter a texture stands still: under the jitter only edges move.
+TEST_F(Frame, TexturesCanStandStillUnderTheJitter) {
+  const auto change = [&](TextureJitter texture_jitter) {
+    ModeRun run = run_of("blend");
+    run.taa.texture_jitter = texture_jitter;
+    Image pictures[2];
+    for (int i : {0, 1}) {
+      FrameInput input = studio->frame("still", 0, {run}, {{Output::display}});
+      input.index = uint64_t(i);
+      input.settings.view = View::albedo;
+      pictures[i] = studio->renderer.render(input).delivered[0].picture;
+    }
+    double sum = 0;
+    for (size_t i = 0; i < pictures[0].rgba.size(); ++i)
+      sum += std::abs(int(pictures[0].rgba[i]) - int(pictures[1].rgba[i]));
+    return sum;
+  };
+  EXPECT_LT(change(TextureJitter::removed), 0.6 * change(TextureJitter::kept));
+}
+
 // One that is would leave a streak through a history that nothing bounds.
 TEST_F(Frame, NothingIsBrighterThanTheSunsDisc) {
   const float disc = 60 * 5.2f; // sky.glsl, sun.cpp

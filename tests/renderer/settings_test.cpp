@@ -126,8 +126,14 @@ TEST(Settings, EveryModeIsRefusedNothing) {
 
 TEST(Settings, CombinationsThatMakeNoSenseAreRefused) {
   Settings settings = settings_for_mode("grand-tour");
-  settings.taa.near_m = settings.taa.far_m;
+  settings.taa.near_m = settings.taa.far_m = 8;
   EXPECT_NE(refusal(settings).value_or("").find("less than far"), std::string::npos);
+  settings = settings_for_mode("dop16-opt");
+  settings.taa.policy.space = Space::ycocg;
+  EXPECT_NE(refusal(settings).value_or("").find("were found in RGB"), std::string::npos);
+  settings = settings_for_mode("ac4");
+  settings.taa.policy.blend = Blend::counting;
+  EXPECT_NE(refusal(settings).value_or("").find("keeps=input"), std::string::npos);
   settings = settings_for_mode("off");
   settings.taa.policy.history = HistoryFilter::catmull_rom;
   EXPECT_NE(refusal(settings).value_or("").find("blend=current keeps no history"), std::string::npos);

@@ -1,0 +1,93 @@
+// `unghost axes`: axes of polytopes that fit tightly, around a sphere or around a scene's neighbourhoods.
+#include <algorithm>
+#include <random>
+
+#include <nlohmann/json.hpp>
+
+#include "app/commands.h"
+#include "app/headless.h"
+#include "app/measure/axes.h"
+#include "app/table.h"
+
+namespace unghost {
+namespace {
+
+constexpr uint32_t frames_between = 8;
+constexpr size_t neighbourhoods_a_frame = 100;
+
+/// Of pixels of one aliased frame, chosen by chance.
+void add_neighbourhoods(const FloatImage& lit, std::mt19937_64& random, std::vector<Neighbourhood>& to) {
+  if (lit.width < 3 || lit.height < 3) return;
+  for (size_t n = 0; n < neighbourhoods_a_frame; ++n) {
+    const size_t x = random() % (lit.width - 2), y = random() % (lit.height - 2);
+    Neighbourhood colours;
+    for (size_t i = 0; i < 9; ++i) {
+      const float* texel = &lit.values[3 * ((y + i / 3) * lit.width + x + i % 3)];
+      colours[i] = {texel[0], texel[1], texel[2]};
+    }
+    to.push_back(colours);
+  }
+}
+
+std::vector<Neighbourhood> neighbourhoods_of(const Shot& shot, Headless& headless) {
+  std::vector<Neighbourhood> all;
+  std::mt19937_64 random(shot.seed);
+  const auto wants = [](uint32_t frame) {
+    return frame % frames_between == 0 ? std::vector<Wanted>{{Output::lit}} : std::vector<Wanted>{};
+  };
+  headless.render(shot.modes, wants, [&](uint32_t, const auto&, FrameResult& result) {
+    add_neighbourhoods(result.delivered[0].image, random, all);
+  });
+  return all;
+}
+
+struct Compared {
+  std::string name;
+  std::vector<glm::dvec3> axes;
+};
+
+} // namespace
+
+void axes(const CommandLine& line, Console& console) {
+  Shot shot = shot_from(line);
+  shot.modes = {{.name = "off", .taa = {}}};
+  const uint32_t faces = line.faces.value_or(16);
+  if (faces % 2 != 0) throw WrongWords("--faces is even: each axis has one on either side");
+  std::vector<Neighbourhood> neighbourhoods;
+  if (line.of_scene) {
+    Headless headless(line, shot, console);
+    neighbourhoods = neighbourhoods_of(shot, headless);
+    headless.finish();
+  }
+  const AxisCost cost = [&](std::span<const glm::dvec3> axes) {
+    return line.of_scene ? size_around(axes, neighbourhoods) : volume_around_sphere(axes);
+  };
+  const AxisSearch search{.count = faces / 2,
+                          .fixed = line.of_scene ? 0u : 3u,
+                          .seed = shot.seed,
+                          .steps = line.of_scene ? 6'000u : 24'000u};
+  if (search.count <= search.fixed) throw WrongWords("--faces is more than 6, which the three axes have");
+  const std::vector<glm::dvec3> found = find_axes(search, cost, [&](double share) {
+    if (console.terminal && !console.quiet)
+      console.err << "\rsearching: " << int(100 * share) << "%" << (share >= 1 ? "\n" : "") << std::flush;
+  });
+
+  std::vector<Compared> compared = {{"found", found}};
+  for (const Answer& answer : answers<Axes>()) compared.push_back({answer.name, shipped_axes(answer.name)});
+  const char* unit = line.of_scene ? "side of the mean polytope" : "volume over the sphere's";
+  nlohmann::json object = {{"faces", faces}, {"seed", shot.seed}, {"measure", unit}};
+  Table table{{"axes", "faces", unit}};
+  for (const Compared& one : compared) {
+    const double tightness = cost(one.axes);
+    object["tightness"][one.name] = tightness;
+    table.add({one.name, std::to_string(2 * one.axes.size()), fixed(tightness, 5)});
+  }
+  std::string list;
+  for (const glm::dvec3& axis : found) {
+    object["axes"].push_back({axis.x, axis.y, axis.z});
+    list += "X(" + fixed(axis.x, 6) + ", " + fixed(axis.y, 6) + ", " + fixed(axis.z, 6) + ")\n";
+  }
+  console.out << (line.json ? object.dump(2) + "\n" : table.text() + list);
+}
+
+} // namespace unghost

@@ -1,0 +1,81 @@
+// What a resolve is made of and what it reads. The naive one fetches texels, the fast one loads from storage images,
+// which a software device does faster; everything else goes through the functions below.
+#ifndef UNGHOST_TAA_INPUTS_GLSL
+#define UNGHOST_TAA_INPUTS_GLSL
+
+#include "frame.glsl"
+#include "shared/taa.h"
+
+layout(constant_id = TAA_DILATION_ID) const uint dilation = 0;
+layout(constant_id = TAA_HISTORY_ID) const uint history_filter = 0;
+layout(constant_id = TAA_RINGING_ID) const uint ringing = 0;
+layout(constant_id = TAA_SPACE_ID) const uint space = 0;
+layout(constant_id = TAA_WEIGHTING_ID) const uint weighting = 0;
+layout(constant_id = TAA_RECTIFY_ID) const uint rectify = 0;
+layout(constant_id = TAA_AXES_ID) const uint axes = 0;
+layout(constant_id = TAA_REJECT_ID) const uint reject = 0;
+layout(constant_id = TAA_BLEND_ID) const uint blend = 0;
+layout(constant_id = TAA_KEEPS_ID) const uint keeps = 0;
+layout(constant_id = TAA_HAS_HISTORY_ID) const bool has_history = false;
+layout(constant_id = TAA_READS_TAGS_ID) const bool reads_tags = false;
+layout(constant_id = TAA_WRITES_ID) const uint writes = 0;
+
+bool rejects(uint test) { return (reject & test) != 0; }
+bool writes_to(uint what) { return (writes & what) != 0; }
+
+#ifdef TAA_FAST
+#define TAA_MAP(format, Image, name, place) layout(set = 0, binding = place, format) uniform readonly Image name
+#define fetch(map, pixel) imageLoad(map, pixel)
+TAA_MAP(rgba16f, image2D, colour_map, TAA_COLOUR);
+TAA_MAP(rgba16f, image2D, history_map, TAA_PREVIOUS);
+TAA_MAP(rg32f, image2D, motion_map, TAA_MOTION);
+TAA_MAP(r32f, image2D, depth_map, TAA_DEPTH);
+TAA_MAP(r8ui, uimage2D, previous_tag_map, TAA_PREVIOUS_TAG);
+TAA_MAP(rg32f, image2D, previous_motion_map, TAA_PREVIOUS_MOTION);
+TAA_MAP(r32f, image2D, previous_depth_map, TAA_PREVIOUS_DEPTH);
+TAA_MAP(r32f, image2D, expected_depth_map, TAA_EXPECTED_DEPTH);
+TAA_MAP(r32ui, uimage2D, previous_object_map, TAA_PREVIOUS_OBJECT);
+#else
+#define TAA_MAP(Texture, name, place) layout(set = 0, binding = place) uniform Texture name
+#define fetch(map, pixel) texelFetch(map, pixel, 0)
+TAA_MAP(texture2D, colour_map, TAA_COLOUR);
+TAA_MAP(texture2D, history_map, TAA_PREVIOUS);
+TAA_MAP(texture2D, motion_map, TAA_MOTION);
+TAA_MAP(texture2D, depth_map, TAA_DEPTH);
+TAA_MAP(utexture2D, previous_tag_map, TAA_PREVIOUS_TAG);
+TAA_MAP(texture2D, previous_motion_map, TAA_PREVIOUS_MOTION);
+TAA_MAP(texture2D, previous_depth_map, TAA_PREVIOUS_DEPTH);
+TAA_MAP(texture2D, expected_depth_map, TAA_EXPECTED_DEPTH);
+TAA_MAP(utexture2D, previous_object_map, TAA_PREVIOUS_OBJECT);
+#endif
+// no device has to store to these formats
+layout(set = 0, binding = TAA_TAG) uniform utexture2D tag_map;
+layout(set = 0, binding = TAA_OBJECT) uniform utexture2D object_map;
+layout(set = 0, binding = TAA_HISTORY_SAMPLER) uniform sampler2D history_sampler;
+
+layout(set = 0, binding = TAA_OUT, rgba16f) uniform writeonly image2D colour_out;
+layout(set = 0, binding = TAA_INPUT_OUT, rgba16f) uniform writeonly image2D input_out;
+layout(set = 0, binding = TAA_TAG_OUT, r8ui) uniform writeonly uimage2D tag_out;
+layout(set = 0, binding = TAA_MOTION_OUT, rg32f) uniform writeonly image2D motion_out;
+layout(set = 0, binding = TAA_DEPTH_OUT, r32f) uniform writeonly image2D depth_out;
+layout(set = 0, binding = TAA_OBJECT_OUT, r32ui) uniform writeonly uimage2D object_out;
+layout(set = 0, binding = TAA_WHY_OUT, rgba8) uniform writeonly image2D why_out;
+layout(set = 0, binding = TAA_HISTORY_OUT, rgba16f) uniform writeonly image2D history_out;
+layout(push_constant, scalar) uniform Push { TaaPush push; };
+
+/// What is not a number ends here: it would spread through the history for ever.
+vec3 finite(vec3 colour) {
+  bvec3 bad = bvec3(uvec3(isnan(colour)) | uvec3(isinf(colour)));
+  return mix(max(colour, vec3(0)), vec3(0), bad);
+}
+
+ivec2 last_pixel() { return ivec2(frame.size_px) - 1; }
+ivec2 inside(ivec2 pixel) { return clamp(pixel, ivec2(0), last_pixel()); }
+
+vec3 colour_at(ivec2 pixel) { return finite(fetch(colour_map, pixel).rgb); }
+float depth_at(ivec2 pixel) { return fetch(depth_map, pixel).r; }
+vec2 motion_at(ivec2 pixel) { return fetch(motion_map, pixel).xy; }
+uint tag_at(ivec2 pixel) { return texelFetch(tag_map, pixel, 0).r; }
+uint object_at(ivec2 pixel) { return texelFetch(object_map, pixel, 0).r; }
+
+#endif

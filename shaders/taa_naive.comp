@@ -1,0 +1,117 @@
+// The resolve as its definition reads: one pixel an invocation, plain loops over its 3x3 neighbours. The oracle of the
+// fast one, and what its time is measured by.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#define FULLSCREEN_WIDTH TAA_NAIVE_SIDE
+#define FULLSCREEN_HEIGHT TAA_NAIVE_SIDE
+#include "frame.glsl"
+#include "fullscreen.glsl"
+#include "taa_pixel.glsl"
+#include "shared/taa_axes.h"
+
+/// The current frame around a pixel, row by row, in the working space.
+struct Neighbourhood {
+  vec3 colours[9];
+  vec3 centre;   // linear
+  vec3 blurred;  // linear: 1 2 1, 2 4 2, 1 2 1
+};
+
+Neighbourhood gather(ivec2 pixel) {
+  Neighbourhood n;
+  n.blurred = vec3(0);
+  for (int y = -1; y <= 1; ++y)
+    for (int x = -1; x <= 1; ++x) {
+      vec3 colour = colour_at(inside(pixel + ivec2(x, y)));
+      if (x == 0 && y == 0) n.centre = colour;
+      n.colours[3 * y + x + 4] = to_working(colour);
+      n.blurred += colour * float((2 - abs(x)) * (2 - abs(y))) / 16;
+    }
+  return n;
+}
+
+/// The pixel whose motion, depth and tag speak for this one. Of equals the pixel itself, then the first.
+ivec2 speaker_of(ivec2 pixel) {
+  if (dilation == dilation_centre) return pixel;
+  ivec2 best = pixel;
+  bool by_length = dilation == dilation_longest;
+  float most = by_length ? dot(motion_at(pixel), motion_at(pixel)) : depth_at(pixel);
+  for (int y = -1; y <= 1; ++y)
+    for (int x = -1; x <= 1; ++x) {
+      ivec2 at = inside(pixel + ivec2(x, y));
+      float value = by_length ? dot(motion_at(at), motion_at(at)) : depth_at(at);
+      if (value > most) best = at, most = value;
+    }
+  if (dilation == dilation_depth_edges) {
+    bool edge = most > 1.2 * depth_at(pixel) || object_at(best) != object_at(pixel);
+    if (!edge) return pixel;
+  }
+  return best;
+}
+
+void box_of(vec3 colours[9], out vec3 low, out vec3 high) {
+  low = high = colours[0];
+  for (int i = 1; i < 9; ++i) low = min(low, colours[i]), high = max(high, colours[i]);
+}
+
+void variance_box_of(vec3 colours[9], out vec3 low, out vec3 high) {
+  vec3 means[3], squares[3];
+  for (int y = 0; y < 3; ++y) {
+    ROW_MOMENTS(colours[3 * y], colours[3 * y + 1], colours[3 * y + 2], means[y], squares[y]);
+  }
+  NINE_MOMENTS(vec3, 0, means, squares, mean, reach);
+  low = mean - reach, high = mean + reach;
+}
+
+/// The share of the segment from the middle colour to the history that the slab across `axis` leaves.
+float share_along(vec3 axis, vec3 colours[9], vec3 history) {
+  float at[9], low = 1e30, high = -1e30;
+  for (int i = 0; i < 9; ++i) {
+    at[i] = dot(colours[i], axis);
+    low = min(low, at[i]), high = max(high, at[i]);
+  }
+  if (rectify == rectify_dop_variance) {
+    float means[3], squares[3];
+    for (int y = 0; y < 3; ++y) {
+      ROW_MOMENTS(at[3 * y], at[3 * y + 1], at[3 * y + 2], means[y], squares[y]);
+    }
+    NINE_MOMENTS(float, 0, means, squares, mean, reach);
+    low = min(mean - reach, at[4]), high = max(mean + reach, at[4]);
+  }
+  return slab_share(low, high, at[4], dot(history, axis));
+}
+
+vec3 clip_to_dop(vec3 colours[9], vec3 history) {
+  float share = 1e30;
+#define CLIP(x, y, z) share = min(share, share_along(vec3(x, y, z), colours, history));
+  TAA_EACH_AXIS(CLIP)
+  return on_segment(colours[4], history, share);
+}
+
+vec3 rectified(vec3 history, vec3 colours[9]) {
+  vec3 low, high;
+  if (rectify == rectify_dop_clip || rectify == rectify_dop_variance) return clip_to_dop(colours, history);
+  if (rectify == rectify_box_clamp || rectify == rectify_box_clip) box_of(colours, low, high);
+  else variance_box_of(colours, low, high);
+  if (rectify == rectify_box_clamp || rectify == rectify_variance_clamp) return clamp(history, low, high);
+  return clip_to_box(history, colours[4], min(low, colours[4]), max(high, colours[4]));
+}
+
+void main() {
+  pixel_or_return(pixel);
+  ivec2 speaker = has_history || writes != 0 ? speaker_of(pixel) : pixel;
+  uint tag = reads_tags ? tag_at(speaker) : 0;
+  if (!has_history) {
+    vec3 centre = colour_at(pixel);
+    write_pixel(pixel, speaker, tag, centre, Resolve(centre, 1, 1, 0, 0, centre));
+    return;
+  }
+  Neighbourhood n;
+  if (needs_volume() || needs_blurred()) n = gather(pixel);
+  else n.centre = n.blurred = colour_at(pixel);
+  Reprojected r = reproject(pixel, speaker);
+  r.found = read_history(r.at);
+  vec3 found = to_working(r.found), bounded = needs_volume() ? rectified(found, n.colours) : found;
+  float moved = needs_volume() ? moved_by(found, bounded) : 0;
+  Resolve result = resolve(r, rejection(r, speaker, tag), n.centre, n.blurred, bounded, moved);
+  write_pixel(pixel, speaker, tag, n.centre, result);
+}

@@ -41,18 +41,50 @@ std::vector<Neighbourhood> neighbourhoods_of(const Shot& shot, Headless& headles
   return all;
 }
 
-struct Compared {
-  std::string name;
-  std::vector<glm::dvec3> axes;
-};
+AxisSearch search_of(const CommandLine& line, const Shot& shot) {
+  const uint32_t faces = line.faces.value_or(16);
+  if (faces % 2 != 0) throw WrongWords("--faces is even: each axis has one on either side");
+  const AxisSearch search{.count = faces / 2,
+                          .fixed = line.of_scene ? 0u : 3u,
+                          .seed = shot.seed,
+                          .steps = line.of_scene ? 6'000u : 24'000u};
+  if (search.count <= search.fixed) throw WrongWords("--faces is more than 6, which the three axes have");
+  return search;
+}
+
+FoundAxes search_with_progress(const AxisSearch& search, const AxisCost& cost, Console& console) {
+  return find_axes(search, cost, [&](double share) {
+    if (console.terminal && !console.quiet)
+      console.err << "\rsearching: " << int(100 * share) << "%" << (share >= 1 ? "\n" : "") << std::flush;
+  });
+}
+
+/// What was found beside where the search began and beside the lists that shaders are made with.
+void say(const FoundAxes& found, const AxisCost& cost, const char* unit, nlohmann::json object, bool as_json,
+         Console& console) {
+  std::vector<std::pair<std::string, std::vector<glm::dvec3>>> compared = {{"found", found.axes},
+                                                                           {"at first", found.first}};
+  for (const Answer& answer : answers<Axes>()) compared.emplace_back(answer.name, shipped_axes(answer.name));
+  Table table{{"axes", "faces", unit}};
+  for (const auto& [name, axes] : compared) {
+    const double tightness = cost(axes);
+    object["tightness"][name] = tightness;
+    table.add({name, std::to_string(2 * axes.size()), fixed(tightness, 5)});
+  }
+  std::string list;
+  for (const glm::dvec3& axis : found.axes) {
+    object["axes"].push_back({axis.x, axis.y, axis.z});
+    list += "X(" + fixed(axis.x, 6) + ", " + fixed(axis.y, 6) + ", " + fixed(axis.z, 6) + ")\n";
+  }
+  console.out << (as_json ? object.dump(2) + "\n" : table.text() + list);
+}
 
 } // namespace
 
 void axes(const CommandLine& line, Console& console) {
   Shot shot = shot_from(line);
   shot.modes = {{.name = "off", .taa = {}}};
-  const uint32_t faces = line.faces.value_or(16);
-  if (faces % 2 != 0) throw WrongWords("--faces is even: each axis has one on either side");
+  const AxisSearch search = search_of(line, shot);
   std::vector<Neighbourhood> neighbourhoods;
   if (line.of_scene) {
     Headless headless(line, shot, console);
@@ -62,32 +94,9 @@ void axes(const CommandLine& line, Console& console) {
   const AxisCost cost = [&](std::span<const glm::dvec3> axes) {
     return line.of_scene ? size_around(axes, neighbourhoods) : volume_around_sphere(axes);
   };
-  const AxisSearch search{.count = faces / 2,
-                          .fixed = line.of_scene ? 0u : 3u,
-                          .seed = shot.seed,
-                          .steps = line.of_scene ? 6'000u : 24'000u};
-  if (search.count <= search.fixed) throw WrongWords("--faces is more than 6, which the three axes have");
-  const std::vector<glm::dvec3> found = find_axes(search, cost, [&](double share) {
-    if (console.terminal && !console.quiet)
-      console.err << "\rsearching: " << int(100 * share) << "%" << (share >= 1 ? "\n" : "") << std::flush;
-  });
-
-  std::vector<Compared> compared = {{"found", found}};
-  for (const Answer& answer : answers<Axes>()) compared.push_back({answer.name, shipped_axes(answer.name)});
   const char* unit = line.of_scene ? "side of the mean polytope" : "volume over the sphere's";
-  nlohmann::json object = {{"faces", faces}, {"seed", shot.seed}, {"measure", unit}};
-  Table table{{"axes", "faces", unit}};
-  for (const Compared& one : compared) {
-    const double tightness = cost(one.axes);
-    object["tightness"][one.name] = tightness;
-    table.add({one.name, std::to_string(2 * one.axes.size()), fixed(tightness, 5)});
-  }
-  std::string list;
-  for (const glm::dvec3& axis : found) {
-    object["axes"].push_back({axis.x, axis.y, axis.z});
-    list += "X(" + fixed(axis.x, 6) + ", " + fixed(axis.y, 6) + ", " + fixed(axis.z, 6) + ")\n";
-  }
-  console.out << (line.json ? object.dump(2) + "\n" : table.text() + list);
+  const nlohmann::json object = {{"faces", 2 * search.count}, {"seed", shot.seed}, {"measure", unit}};
+  say(search_with_progress(search, cost, console), cost, unit, object, line.json, console);
 }
 
 } // namespace unghost

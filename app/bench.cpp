@@ -6,6 +6,7 @@
 
 #include "app/commands.h"
 #include "app/headless.h"
+#include "app/measure/quantile.h"
 #include "app/table.h"
 
 namespace unghost {
@@ -16,22 +17,25 @@ constexpr uint32_t warm_up_frames = 4; // shaders are compiled at first use, his
 /// Milliseconds of one pass, a round each.
 using Times = std::map<std::string, std::vector<double>>;
 
-/// Each mode that resolves anything as it is, then by the naive resolve.
-std::vector<ModeRun> runs_of(const Shot& shot) {
-  std::vector<ModeRun> runs;
-  for (const Resolver resolver : {Resolver::fast, Resolver::naive})
-    for (ModeRun run : shot.modes)
-      if (run.taa.policy.needs_history()) {
-        run.taa.resolver = resolver;
-        runs.push_back(run);
-      }
-  return runs;
+const std::string no_rejection = " without rejection";
+
+bool tests_history(const ModeRun& run) {
+  return (uint32_t(run.taa.policy.reject) & ~uint32_t(Reject::off_screen)) != 0;
 }
 
-double quantile(std::vector<double> values, double share) {
-  if (values.empty()) return 0;
-  std::ranges::sort(values);
-  return values[size_t(share * double(values.size() - 1) + 0.5)];
+/// Each mode that resolves anything as it is, by the naive resolve and, where it has tests, without them.
+std::vector<ModeRun> runs_of(const Shot& shot) {
+  std::vector<ModeRun> runs;
+  for (const ModeRun& run : shot.modes) {
+    if (!run.taa.policy.needs_history()) continue;
+    for (const Resolver resolver : {Resolver::fast, Resolver::naive})
+      runs.emplace_back(run).taa.resolver = resolver;
+    if (!tests_history(run)) continue;
+    ModeRun& plain = runs.emplace_back(run);
+    plain.name += no_rejection, plain.taa.resolver = Resolver::fast,
+                                plain.taa.policy.reject = Reject::off_screen;
+  }
+  return runs;
 }
 
 std::vector<double> ratio(const std::vector<double>& a, const std::vector<double>& b) {
@@ -60,17 +64,28 @@ Times time_passes(const Shot& shot, Headless& headless) {
 struct Row {
   std::string mode;
   std::vector<double> added, resolve; // ms a round: all passes that `off` has not; those of the resolve alone
-  std::vector<double> over_copy, over_naive; // of the resolve
+  std::vector<double> over_copy, over_naive, over_no_rejection; // of the resolve
 };
 
 Row row_of(const ModeRun& run, Times& times) {
-  Row row{.mode = run.name, .added = {}, .resolve = {}, .over_copy = {}, .over_naive = {}};
+  Row row{.mode = run.name,
+          .added = {},
+          .resolve = {},
+          .over_copy = {},
+          .over_naive = {},
+          .over_no_rejection = {}};
   if (!run.taa.policy.needs_history()) return row;
   row.resolve = times["taa " + run.name];
   row.over_copy = ratio(row.resolve, times["copy"]);
   row.over_naive = ratio(row.resolve, times["naive taa " + run.name]);
+  row.over_no_rejection = ratio(row.resolve, times["taa " + run.name + no_rejection]);
   row.added = sum(sum(row.resolve, times["motion"]), times["sharpen " + run.name]);
   return row;
+}
+
+/// Nothing where nothing was to be compared.
+nlohmann::json median_of(const std::vector<double>& ratios) {
+  return ratios.empty() ? nlohmann::json() : nlohmann::json(quantile(ratios, 0.5));
 }
 
 nlohmann::json json_of(const Row& row) {
@@ -79,14 +94,18 @@ nlohmann::json json_of(const Row& row) {
           {"p05", quantile(row.added, 0.05)},
           {"p95", quantile(row.added, 0.95)},
           {"resolve_ms", quantile(row.resolve, 0.5)},
-          {"over_copy", quantile(row.over_copy, 0.5)},
-          {"over_naive", quantile(row.over_naive, 0.5)}};
+          {"over_copy", median_of(row.over_copy)},
+          {"over_naive", median_of(row.over_naive)},
+          {"over_no_rejection", median_of(row.over_no_rejection)}};
 }
 
 } // namespace
 
 void bench(const CommandLine& line, Console& console) {
   Shot shot = shot_from(line);
+  for (const ModeRun& run : shot.modes)
+    if (run.taa.resolver != Resolver::fast)
+      throw SettingError("bench times both resolvers; resolver is not for it");
   const uint32_t rounds = shot.frames;
   shot.frames += warm_up_frames;
   Headless headless(line, shot, console);
@@ -94,12 +113,15 @@ void bench(const CommandLine& line, Console& console) {
   nlohmann::json object = headless.facts();
   object["size"] = text_of(shot.size), object["rounds"] = rounds, object["rig"] = shot.rig;
   object["copy_ms"] = quantile(times["copy"], 0.5), object["motion_ms"] = quantile(times["motion"], 0.5);
-  Table table{{"mode", "adds ms", "p05", "p95", "resolve ms", "over copy", "over naive"}};
+  Table table{
+      {"mode", "adds ms", "p05", "p95", "resolve ms", "over copy", "over naive", "over no rejection"}};
   for (const ModeRun& run : shot.modes) {
     const nlohmann::json row = object["rows"].emplace_back(json_of(row_of(run, times)));
-    const auto cell = [&](const char* name, int digits) { return fixed(row.at(name).get<double>(), digits); };
+    const auto cell = [&](const char* name, int digits) {
+      return row.at(name).is_null() ? "-" : fixed(row.at(name).get<double>(), digits);
+    };
     table.add({run.name, cell("ms", 2), cell("p05", 2), cell("p95", 2), cell("resolve_ms", 2),
-               cell("over_copy", 2), cell("over_naive", 3)});
+               cell("over_copy", 2), cell("over_naive", 3), cell("over_no_rejection", 3)});
   }
   console.out << (line.json ? object.dump(2) + "\n" : table.text());
   if (!line.json && !console.quiet)

@@ -6,6 +6,7 @@
 
 #include "app/failure.h"
 #include "app/interruption.h"
+#include "app/measure/quantile.h"
 #include "app/paths.h"
 #include "app/stage.h"
 #include "app/table.h"
@@ -18,13 +19,6 @@ constexpr bool debug_build = false;
 #else
 constexpr bool debug_build = true;
 #endif
-
-double median(std::vector<double> values) {
-  if (values.empty()) return 0;
-  const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 } // namespace
 
@@ -131,8 +125,10 @@ std::vector<PassSummary> Headless::passes() const {
   std::vector<PassSummary> summaries;
   for (const std::string& name : pass_order_) {
     const PassRecord& record = pass_records_.at(name);
-    summaries.push_back(
-        {.name = name, .frames = record.frames, .ms = median(record.ms), .image_bytes = record.image_bytes});
+    summaries.push_back({.name = name,
+                         .frames = record.frames,
+                         .ms = quantile(record.ms, 0.5),
+                         .image_bytes = record.image_bytes});
   }
   return summaries;
 }

@@ -25,12 +25,6 @@ Scene load(const std::filesystem::path& file, const LoadLimits& limits) {
   return std::get<Scene>(std::move(loaded));
 }
 
-// In the frame of the vehicle's own node, wherever the file has parked it.
-Bounds vehicle_bounds(const Scene& scene) {
-  const glm::dmat4 world = world_matrices(scene, default_pose(scene))[size_t(scene.vehicle)];
-  return transformed(node_bounds(scene, scene.vehicle), glm::inverse(world));
-}
-
 // What shapes a model does nothing to a scene of its own, and is not ignored.
 void refuse_model_settings(const StageSettings& settings) {
   const StageSettings defaults;

@@ -6,8 +6,10 @@
 namespace unghost {
 namespace {
 
+/// Or the dash that stands for one.
 bool is_number(const std::string& text) {
-  return text.find_first_not_of("0123456789.") == std::string::npos && std::ranges::count(text, '.') <= 1;
+  const bool digits = text.find_first_not_of("0123456789.") == std::string::npos;
+  return text == "-" || (digits && std::ranges::count(text, '.') <= 1);
 }
 
 } // namespace

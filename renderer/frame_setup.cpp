@@ -44,10 +44,8 @@ Objects place_objects(const FrameInput& input, const Scene& scene, const GpuScen
 /// picture.
 bool may_be_seen(const Bounds& box, const glm::dmat4& clip_from_object, glm::dvec2 side = {1, 1}) {
   int beyond[5] = {};
-  for (int corner = 0; corner < 8; ++corner) {
-    const glm::dvec4 at(corner & 1 ? box.high.x : box.low.x, corner & 2 ? box.high.y : box.low.y,
-                        corner & 4 ? box.high.z : box.low.z, 1);
-    const glm::dvec4 clip = clip_from_object * at;
+  for (const glm::dvec4& corner : corners_of(box)) {
+    const glm::dvec4 clip = clip_from_object * corner;
     beyond[0] += clip.x < -side.x * clip.w;
     beyond[1] += clip.x > side.x * clip.w;
     beyond[2] += clip.y < -side.y * clip.w;
@@ -153,11 +151,8 @@ DepthRange tagged_range(const FrameInput& input, const GpuScene& gpu, const Obje
   double deepest = 0;
   for (const Draw& draw : gpu.draws) {
     if (draw.tag == 0) continue;
-    for (int corner = 0; corner < 8; ++corner) {
-      const Bounds& b = draw.bounds;
-      const glm::dvec4 at(corner & 1 ? b.high.x : b.low.x, corner & 2 ? b.high.y : b.low.y,
-                          corner & 4 ? b.high.z : b.low.z, 1);
-      const glm::dvec3 eye = objects.eye_from_object[draw.object] * at;
+    for (const glm::dvec4& corner : corners_of(draw.bounds)) {
+      const glm::dvec3 eye = objects.eye_from_object[draw.object] * corner;
       deepest = std::max(deepest, glm::dot(eye, ahead));
       box.add(eye);
     }

@@ -18,6 +18,12 @@ vec3 view_ray(vec2 pixel) {
 /// Metres along the view axis; infinite for the sky.
 float linear_depth(float depth) { return frame.near_plane / depth; }
 
+/// A depth and a tag in one number, so that whoever looks for the closest finds its tag, too. 16 bits of the depth's
+/// significand are left: a millimetre at 65 m.
+float with_tag(float depth, uint tag) { return uintBitsToFloat((floatBitsToUint(depth) & ~0xffu) | tag); }
+float without_tag(float depth) { return with_tag(depth, 0); }
+uint tag_of(float tagged_depth) { return floatBitsToUint(tagged_depth) & 0xffu; }
+
 /// Octahedral: a direction as two numbers in [-1, 1].
 vec2 octahedral_from_direction(vec3 d) {
   d /= abs(d.x) + abs(d.y) + abs(d.z);

@@ -1,5 +1,5 @@
 // Reading the history between its pixels. `at` is in pixels, centres at .5; beyond the edge the edge goes on. Its alpha
-// counts the frames that it holds.
+// is the tag of what was there.
 #ifndef UNGHOST_HISTORY_GLSL
 #define UNGHOST_HISTORY_GLSL
 
@@ -101,7 +101,18 @@ vec3 read_history(vec2 at) {
   }
 }
 
+/// The tags of the four pixels that it comes from: x first, then y.
+vec4 read_tags(vec2 at) {
+  ivec2 corner = ivec2(floor(at - 0.5));
+  vec4 tags;
+  for (int i = 0; i < 4; ++i) tags[i] = history_texel(corner + ivec2(i & 1, i >> 1)).a;
+  return tags;
+}
+
 /// How many frames the history holds there.
-float read_count(vec2 at) { return max(history_texel(ivec2(floor(at))).a, 1); }
+float read_count(vec2 at) {
+  ivec2 pixel = min(inside(ivec2(floor(at))), size_of(previous_count_map) - 1);  // 1x1 where none was kept
+  return max(fetch(previous_count_map, pixel).r, 1);
+}
 
 #endif

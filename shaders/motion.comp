@@ -6,12 +6,15 @@
 layout(constant_id = 0) const bool objects_moved = false;
 layout(constant_id = 1) const bool keeps_previous_depth = false;
 layout(constant_id = 2) const bool keeps_depth = false;
+layout(constant_id = 3) const bool keeps_tagged_depth = false;
 
 layout(set = 0, binding = MOTION_DEPTH) uniform texture2D depth_map;
+layout(set = 0, binding = MOTION_TAG) uniform utexture2D tag_map;
 layout(set = 0, binding = MOTION_OF_OBJECTS) uniform texture2D object_motion;
 layout(set = 0, binding = MOTION_OUT, rg32f) uniform writeonly image2D motion_out;
 layout(set = 0, binding = MOTION_PREVIOUS_DEPTH_OUT, r32f) uniform writeonly image2D previous_depth_out;
 layout(set = 0, binding = MOTION_DEPTH_OUT, r32f) uniform writeonly image2D depth_out;
+layout(set = 0, binding = MOTION_TAGGED_DEPTH_OUT, r32f) uniform writeonly image2D tagged_depth_out;
 
 /// Motion of what rests, in pixels, and where it was along last frame's view axis. Written as differences from this
 /// frame, so that a camera at rest gives exactly 0.
@@ -37,4 +40,6 @@ void main() {
   imageStore(motion_out, pixel, vec4(motion.xy, 0, 0));
   if (keeps_previous_depth) imageStore(previous_depth_out, pixel, vec4(motion.z, 0, 0, 0));
   if (keeps_depth) imageStore(depth_out, pixel, vec4(depth, 0, 0, 0));
+  if (keeps_tagged_depth)
+    imageStore(tagged_depth_out, pixel, vec4(with_tag(depth, texelFetch(tag_map, pixel, 0).r), 0, 0, 0));
 }

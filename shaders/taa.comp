@@ -1,7 +1,9 @@
 // The resolve as fast as a software device does it: an invocation does TAA_ROWS pixels above one another, which share the
 // rows of their neighbourhoods. A row's minimum, maximum and sum are taken once and serve three pixels; colours are
-// turned into the working space once and serve nine. On a GPU the lanes of a subgroup lie beside one another, so that
-// every load is of neighbours.
+// turned into the working space once and serve nine. What a GPU asks of it, it has, too: the lanes of a subgroup lie
+// beside one another, so that every load and store is of neighbours; what the row's answers decide is decided when the
+// pipeline is made, so that lanes part only where motion does; and the window of the history, which takes many
+// registers, is in no GPU's pipeline: there Catmull-Rom goes through the sampler (filter_for in passes/taa.cpp).
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #define TAA_FAST
@@ -35,38 +37,45 @@ Strip gather(ivec2 first) {
   return s;
 }
 
+Speaker speaker_with(ivec2 at, float loaded_depth) {
+  return Speaker(at, comparable_depth(loaded_depth), reads_tags ? tag_of(loaded_depth) : 0);
+}
+
+Speaker speaker_at(ivec2 at) {
+  return speaker_with(at, asks_for_depth() || reads_tags ? loaded_depth(at) : 0);
+}
+
 /// The pixels that speak for these. Of equals the pixel itself, then the first: the row above, from the left.
-void speakers_of(ivec2 first, out ivec2 speakers[R]) {
-  for (int i = 0; i < R; ++i) speakers[i] = first + ivec2(0, i);
-  if (dilation == dilation_centre) return;
-  bool by_length = dilation == dilation_longest;
-  float own[COLUMN], most[COLUMN];
+void speakers_by_rank(ivec2 first, out Speaker speakers[R]) {
+  float own[COLUMN], most[COLUMN];  // as loaded
   int column[COLUMN];
   int left = max(first.x - 1, 0), right = min(first.x + 1, last_pixel().x);
   for (int y = 0; y < COLUMN; ++y) {
     int at = clamp(first.y + y - 1, 0, last_pixel().y);
-    vec3 row;
-    if (by_length) {
-      vec2 a = motion_at(ivec2(left, at)), b = motion_at(ivec2(first.x, at)), c = motion_at(ivec2(right, at));
-      row = vec3(dot(a, a), dot(b, b), dot(c, c));
-    } else {
-      row = vec3(depth_at(ivec2(left, at)), depth_at(ivec2(first.x, at)), depth_at(ivec2(right, at)));
-    }
-    own[y] = row.y;
-    most[y] = row.x, column[y] = left;
-    if (row.y > most[y]) most[y] = row.y, column[y] = first.x;
-    if (row.z > most[y]) most[y] = row.z, column[y] = right;
+    float a = rank_at(ivec2(left, at)), b = rank_at(ivec2(first.x, at)), c = rank_at(ivec2(right, at));
+    own[y] = b;
+    most[y] = a, column[y] = left;
+    if (rank_of(b) > rank_of(most[y])) most[y] = b, column[y] = first.x;
+    if (rank_of(c) > rank_of(most[y])) most[y] = c, column[y] = right;
   }
   for (int i = 0; i < R; ++i) {
+    ivec2 pixel = inside(first + ivec2(0, i)), at = ivec2(column[i], max(first.y + i - 1, 0));
     float best = most[i];
-    ivec2 at = ivec2(column[i], max(first.y + i - 1, 0));
-    if (most[i + 1] > best) best = most[i + 1], at = ivec2(column[i + 1], first.y + i);
-    if (most[i + 2] > best) best = most[i + 2], at = ivec2(column[i + 2], min(first.y + i + 1, last_pixel().y));
-    bool moves = best > own[i + 1];
+    if (rank_of(most[i + 1]) > rank_of(best)) best = most[i + 1], at = ivec2(column[i + 1], first.y + i);
+    if (rank_of(most[i + 2]) > rank_of(best))
+      best = most[i + 2], at = ivec2(column[i + 2], min(first.y + i + 1, last_pixel().y));
+    bool moves = rank_of(best) > rank_of(own[i + 1]);
     if (dilation == dilation_depth_edges)
-      moves = moves && (best > 1.2 * own[i + 1] || object_at(at) != object_at(inside(speakers[i])));
-    if (moves) speakers[i] = at;
+      moves = moves && (rank_of(best) > 1.2 * rank_of(own[i + 1]) || object_at(at) != object_at(pixel));
+    if (!moves) best = own[i + 1], at = pixel;
+    speakers[i] = dilation == dilation_longest ? speaker_at(at) : speaker_with(at, best);
   }
+}
+
+void speakers_of(ivec2 first, out Speaker speakers[R]) {
+  if (dilation != dilation_centre && (has_history || writes != 0)) speakers_by_rank(first, speakers);
+  else
+    for (int i = 0; i < R; ++i) speakers[i] = speaker_at(inside(first + ivec2(0, i)));
 }
 
 /// The box of each pixel's neighbourhood.
@@ -159,7 +168,30 @@ float[5] placed(vec4 weights, bool later) {
 struct Window {
   ivec2 corner;
   vec3 texels[WINDOW_WIDTH * WINDOW_HEIGHT];
+  float tags[WINDOW_WIDTH * WINDOW_HEIGHT];
 };
+
+Window load_window(ivec2 corner) {
+  Window w;
+  w.corner = corner;
+  for (int y = 0; y < WINDOW_HEIGHT; ++y)
+    for (int x = 0; x < WINDOW_WIDTH; ++x) {
+      vec4 texel = history_texel(corner + ivec2(x, y));
+      w.texels[WINDOW_WIDTH * y + x] = texel.rgb;
+      if (tests_tags()) w.tags[WINDOW_WIDTH * y + x] = texel.a;
+    }
+  return w;
+}
+
+/// As read_tags.
+vec4 tags_in(Window w, int i, bvec2 later) {
+  int at = WINDOW_WIDTH * (i + 1) + 1, below = at + WINDOW_WIDTH, last = below + WINDOW_WIDTH;
+  vec3 first_row = vec3(w.tags[at], w.tags[at + 1], w.tags[at + 2]),
+       second_row = vec3(w.tags[below], w.tags[below + 1], w.tags[below + 2]),
+       third_row = vec3(w.tags[last], w.tags[last + 1], w.tags[last + 2]);
+  vec3 top = later.y ? second_row : first_row, bottom = later.y ? third_row : second_row;
+  return later.x ? vec4(top.yz, bottom.yz) : vec4(top.xy, bottom.xy);
+}
 
 vec3 catmull_rom_in(Window w, int i, vec2 at) {
   vec2 f = fract(at - 0.5);
@@ -183,18 +215,16 @@ void read_shared_histories(inout Reprojected r[R]) {
   for (int round = 0; round < R; ++round) {
     ivec2 of_first = corners[R - 1];
     for (int i = R - 2; i >= 0; --i) of_first = done[i] ? of_first : corners[i];
-    Window w;
-    w.corner = of_first;
+    ivec2 corner = of_first;
     for (int i = 0; i < R; ++i)
-      if (!done[i] && all(lessThanEqual(abs(corners[i] - of_first), ivec2(1)))) w.corner = min(w.corner, corners[i]);
-    for (int y = 0; y < WINDOW_HEIGHT; ++y)
-      for (int x = 0; x < WINDOW_WIDTH; ++x)
-        w.texels[WINDOW_WIDTH * y + x] = history_texel(w.corner + ivec2(x, y)).rgb;
+      if (!done[i] && all(lessThanEqual(abs(corners[i] - of_first), ivec2(1)))) corner = min(corner, corners[i]);
+    Window w = load_window(corner);
     bool all_done = true;
     for (int i = 0; i < R; ++i) {
       ivec2 off = corners[i] - w.corner;
       if (!done[i] && all(greaterThanEqual(off, ivec2(0))) && all(lessThanEqual(off, ivec2(1)))) {
         r[i].found = catmull_rom_in(w, i, r[i].at);
+        if (tests_tags()) r[i].tags = tags_in(w, i, greaterThan(off, ivec2(0)));
         done[i] = true;
       }
       all_done = all_done && done[i];
@@ -207,20 +237,21 @@ void read_histories(inout Reprojected r[R]) {
   bool sixteen = history_filter == history_catmull_rom || history_filter == history_catmull_rom_16;
   if (sixteen && ringing == ringing_kept) read_shared_histories(r);
   else
-    for (int i = 0; i < R; ++i) r[i].found = read_history(r[i].at);
+    for (int i = 0; i < R; ++i) {
+      r[i].found = read_history(r[i].at);
+      if (tests_tags()) r[i].tags = read_tags(r[i].at);
+    }
 }
 
 void main() {
   ivec2 first = ivec2(gl_GlobalInvocationID.x, gl_WorkGroupID.y * TAA_ROWS), last = last_pixel();
   if (first.x > last.x) return;
-  ivec2 speakers[R];
-  if (has_history || writes != 0) speakers_of(first, speakers);
-  else
-    for (int i = 0; i < R; ++i) speakers[i] = first + ivec2(0, i);
+  Speaker speakers[R];
+  speakers_of(first, speakers);
   Reprojected r[R];
   vec3 found[R], clipped[R];
   if (has_history) {  // before the neighbourhood is read, so that not both of them have to be kept
-    for (int i = 0; i < R; ++i) r[i] = reproject(first + ivec2(0, i), inside(speakers[i]));
+    for (int i = 0; i < R; ++i) r[i] = reproject(first + ivec2(0, i), speakers[i].at);
     read_histories(r);
     for (int i = 0; i < R; ++i) found[i] = clipped[i] = to_working(r[i].found);
   }
@@ -230,10 +261,9 @@ void main() {
     for (int i = 0; i < R; ++i) s.centres[i + 1] = colour_at(inside(first + ivec2(0, i)));
   if (has_history && needs_volume()) rectify_all(s, found, clipped);
   for (int i = 0; i < R; ++i) {
-    ivec2 pixel = first + ivec2(0, i), speaker = speakers[i];
+    ivec2 pixel = first + ivec2(0, i);
     if (pixel.y > last.y) return;
     vec3 centre = s.centres[i + 1];
-    uint tag = reads_tags ? tag_at(speaker) : 0;
     Resolve result = Resolve(centre, 1, 1, 0, 0, centre);
     if (has_history) {
       vec3 blurred = needs_blurred()
@@ -242,8 +272,8 @@ void main() {
       float moved = needs_volume() && (blend == blend_attenuated || writes_to(TAA_WRITES_WHY))
                         ? moved_by(found[i], clipped[i])
                         : 0;
-      result = resolve(r[i], rejection(r[i], speaker, tag), centre, blurred, clipped[i], moved);
+      result = resolve(r[i], rejection(r[i], speakers[i]), centre, blurred, clipped[i], moved);
     }
-    write_pixel(pixel, speaker, tag, centre, result);
+    write_pixel(pixel, speakers[i], centre, result);
   }
 }

@@ -26,11 +26,12 @@ bool writes_to(uint what) { return (writes & what) != 0; }
 #ifdef TAA_FAST
 #define TAA_MAP(format, Image, name, place) layout(set = 0, binding = place, format) uniform readonly Image name
 #define fetch(map, pixel) imageLoad(map, pixel)
+#define size_of(map) imageSize(map)
 TAA_MAP(rgba16f, image2D, colour_map, TAA_COLOUR);
 TAA_MAP(rgba16f, image2D, history_map, TAA_PREVIOUS);
 TAA_MAP(rg32f, image2D, motion_map, TAA_MOTION);
 TAA_MAP(r32f, image2D, depth_map, TAA_DEPTH);
-TAA_MAP(r8ui, uimage2D, previous_tag_map, TAA_PREVIOUS_TAG);
+TAA_MAP(r32f, image2D, previous_count_map, TAA_PREVIOUS_COUNT);
 TAA_MAP(rg32f, image2D, previous_motion_map, TAA_PREVIOUS_MOTION);
 TAA_MAP(r32f, image2D, previous_depth_map, TAA_PREVIOUS_DEPTH);
 TAA_MAP(r32f, image2D, expected_depth_map, TAA_EXPECTED_DEPTH);
@@ -38,24 +39,25 @@ TAA_MAP(r32ui, uimage2D, previous_object_map, TAA_PREVIOUS_OBJECT);
 #else
 #define TAA_MAP(Texture, name, place) layout(set = 0, binding = place) uniform Texture name
 #define fetch(map, pixel) texelFetch(map, pixel, 0)
+#define size_of(map) textureSize(map, 0)
 TAA_MAP(texture2D, colour_map, TAA_COLOUR);
 TAA_MAP(texture2D, history_map, TAA_PREVIOUS);
 TAA_MAP(texture2D, motion_map, TAA_MOTION);
 TAA_MAP(texture2D, depth_map, TAA_DEPTH);
-TAA_MAP(utexture2D, previous_tag_map, TAA_PREVIOUS_TAG);
+TAA_MAP(texture2D, previous_count_map, TAA_PREVIOUS_COUNT);
+TAA_MAP(utexture2D, tag_map, TAA_TAG);
 TAA_MAP(texture2D, previous_motion_map, TAA_PREVIOUS_MOTION);
 TAA_MAP(texture2D, previous_depth_map, TAA_PREVIOUS_DEPTH);
 TAA_MAP(texture2D, expected_depth_map, TAA_EXPECTED_DEPTH);
 TAA_MAP(utexture2D, previous_object_map, TAA_PREVIOUS_OBJECT);
 #endif
-// no device has to store to these formats
-layout(set = 0, binding = TAA_TAG) uniform utexture2D tag_map;
+// no device has to store to its format
 layout(set = 0, binding = TAA_OBJECT) uniform utexture2D object_map;
 layout(set = 0, binding = TAA_HISTORY_SAMPLER) uniform sampler2D history_sampler;
 
 layout(set = 0, binding = TAA_OUT, rgba16f) uniform writeonly image2D colour_out;
 layout(set = 0, binding = TAA_INPUT_OUT, rgba16f) uniform writeonly image2D input_out;
-layout(set = 0, binding = TAA_TAG_OUT, r8ui) uniform writeonly uimage2D tag_out;
+layout(set = 0, binding = TAA_COUNT_OUT, r32f) uniform writeonly image2D count_out;
 layout(set = 0, binding = TAA_MOTION_OUT, rg32f) uniform writeonly image2D motion_out;
 layout(set = 0, binding = TAA_DEPTH_OUT, r32f) uniform writeonly image2D depth_out;
 layout(set = 0, binding = TAA_OBJECT_OUT, r32ui) uniform writeonly uimage2D object_out;
@@ -73,9 +75,17 @@ ivec2 last_pixel() { return ivec2(frame.size_px) - 1; }
 ivec2 inside(ivec2 pixel) { return clamp(pixel, ivec2(0), last_pixel()); }
 
 vec3 colour_at(ivec2 pixel) { return finite(fetch(colour_map, pixel).rgb); }
-float depth_at(ivec2 pixel) { return fetch(depth_map, pixel).r; }
+/// Where tags are read, a depth has as many bits as a tagged one has.
+float loaded_depth(ivec2 pixel) { return fetch(depth_map, pixel).r; }
+float comparable_depth(float loaded) { return reads_tags ? without_tag(loaded) : loaded; }
+float depth_at(ivec2 pixel) { return comparable_depth(loaded_depth(pixel)); }
 vec2 motion_at(ivec2 pixel) { return fetch(motion_map, pixel).xy; }
-uint tag_at(ivec2 pixel) { return texelFetch(tag_map, pixel, 0).r; }
+/// By what a pixel is chosen to speak for those around it, as it is loaded; and what of it counts.
+float rank_at(ivec2 pixel) {
+  vec2 motion = motion_at(pixel);
+  return dilation == dilation_longest ? dot(motion, motion) : loaded_depth(pixel);
+}
+float rank_of(float loaded) { return dilation == dilation_longest ? loaded : comparable_depth(loaded); }
 uint object_at(ivec2 pixel) { return texelFetch(object_map, pixel, 0).r; }
 
 #endif

@@ -29,23 +29,24 @@ Neighbourhood gather(ivec2 pixel) {
   return n;
 }
 
-/// The pixel whose motion, depth and tag speak for this one. Of equals the pixel itself, then the first.
-ivec2 speaker_of(ivec2 pixel) {
+/// The pixel whose motion speaks for this one. Of equals the pixel itself, then the first.
+ivec2 place_of_speaker(ivec2 pixel) {
   if (dilation == dilation_centre) return pixel;
   ivec2 best = pixel;
-  bool by_length = dilation == dilation_longest;
-  float most = by_length ? dot(motion_at(pixel), motion_at(pixel)) : depth_at(pixel);
+  float own = rank_of(rank_at(pixel)), most = own;
   for (int y = -1; y <= 1; ++y)
     for (int x = -1; x <= 1; ++x) {
       ivec2 at = inside(pixel + ivec2(x, y));
-      float value = by_length ? dot(motion_at(at), motion_at(at)) : depth_at(at);
-      if (value > most) best = at, most = value;
+      float rank = rank_of(rank_at(at));
+      if (rank > most) best = at, most = rank;
     }
-  if (dilation == dilation_depth_edges) {
-    bool edge = most > 1.2 * depth_at(pixel) || object_at(best) != object_at(pixel);
-    if (!edge) return pixel;
-  }
-  return best;
+  bool edge = dilation != dilation_depth_edges || most > 1.2 * own || object_at(best) != object_at(pixel);
+  return edge ? best : pixel;
+}
+
+Speaker speaker_of(ivec2 pixel) {
+  ivec2 at = place_of_speaker(pixel);
+  return Speaker(at, asks_for_depth() ? depth_at(at) : 0, reads_tags ? fetch(tag_map, at).r : 0);
 }
 
 void box_of(vec3 colours[9], out vec3 low, out vec3 high) {
@@ -98,20 +99,20 @@ vec3 rectified(vec3 history, vec3 colours[9]) {
 
 void main() {
   pixel_or_return(pixel);
-  ivec2 speaker = has_history || writes != 0 ? speaker_of(pixel) : pixel;
-  uint tag = reads_tags ? tag_at(speaker) : 0;
+  Speaker speaker = speaker_of(pixel);
   if (!has_history) {
     vec3 centre = colour_at(pixel);
-    write_pixel(pixel, speaker, tag, centre, Resolve(centre, 1, 1, 0, 0, centre));
+    write_pixel(pixel, speaker, centre, Resolve(centre, 1, 1, 0, 0, centre));
     return;
   }
   Neighbourhood n;
   if (needs_volume() || needs_blurred()) n = gather(pixel);
   else n.centre = n.blurred = colour_at(pixel);
-  Reprojected r = reproject(pixel, speaker);
+  Reprojected r = reproject(pixel, speaker.at);
   r.found = read_history(r.at);
+  r.tags = read_tags(r.at);
   vec3 found = to_working(r.found), bounded = needs_volume() ? rectified(found, n.colours) : found;
   float moved = needs_volume() ? moved_by(found, bounded) : 0;
-  Resolve result = resolve(r, rejection(r, speaker, tag), n.centre, n.blurred, bounded, moved);
-  write_pixel(pixel, speaker, tag, n.centre, result);
+  Resolve result = resolve(r, rejection(r, speaker), n.centre, n.blurred, bounded, moved);
+  write_pixel(pixel, speaker, n.centre, result);
 }

@@ -9,8 +9,9 @@
 
 const uint flags_of_neighbours = reject_tag | reject_near_moving | reject_velocity | reject_depth | reject_object;
 bool needs_blurred() { return rejects(flags_of_neighbours); }
+bool tests_tags() { return rejects(reject_tag) && reads_tags; }
 bool needs_volume() { return rectify != rectify_none; }
-bool counts() { return blend == blend_counting || writes_to(TAA_WRITES_COUNT); }
+bool counts() { return writes_to(TAA_WRITES_COUNT); }
 
 /// The reprojection of a pixel.
 struct Reprojected {
@@ -18,12 +19,13 @@ struct Reprojected {
   bool known;        // where the surface was
   bool inside;       // the picture
   vec3 found;        // the history there, linear
+  vec4 tags;         // there
   float count;       // frames that it holds
 };
 
 /// All but what the history holds there.
 Reprojected reproject(ivec2 pixel, ivec2 speaker) {
-  Reprojected r = Reprojected(motion_at(speaker), vec2(0), false, false, vec3(0), 0);
+  Reprojected r = Reprojected(motion_at(speaker), vec2(0), false, false, vec3(0), vec4(0), 0);
   r.known = all(lessThan(abs(r.motion), vec2(MOTION_UNKNOWN / 2)));  // nor where it is not a number
   r.at = vec2(pixel) + 0.5 + (r.known ? r.motion : vec2(0));
   r.inside = all(greaterThanEqual(r.at, vec2(0))) && all(lessThanEqual(r.at, frame.size_px));
@@ -47,23 +49,32 @@ struct Resolve {
   vec3 history;     // as it was used
 };
 
-/// Whether any of the four pixels that the history comes from, and weighs there, had another one.
-#define ANY_OF_FOUR_DIFFERS(name, map)                                                                       \
-  bool name(uint now, vec2 at) {                                                                             \
-    const float least_weight = 1.0 / 16;                                                                     \
-    vec2 texel = at - 0.5, f = fract(texel);                                                                 \
-    ivec2 corner = ivec2(floor(texel));                                                                      \
-    bool differs = false;                                                                                    \
-    for (int i = 0; i < 4; ++i) {                                                                            \
-      ivec2 tap = ivec2(i & 1, i >> 1);                                                                      \
-      vec2 share = mix(1 - f, f, vec2(tap));                                                                 \
-      uint before = fetch(map, inside(corner + tap)).r;                                                      \
-      differs = differs || (share.x * share.y > least_weight && before != now);                              \
-    }                                                                                                        \
-    return differs;                                                                                          \
-  }
-ANY_OF_FOUR_DIFFERS(tag_differs, previous_tag_map)
-ANY_OF_FOUR_DIFFERS(object_differs, previous_object_map)
+/// What speaks for a pixel. Its depth and tag are 0 where no test asks for them.
+struct Speaker {
+  ivec2 at;
+  float depth;
+  uint tag;
+};
+bool asks_for_depth() { return rejects(reject_near_moving); }
+
+/// How much each of the four pixels that a history comes from weighs there: x first, then y.
+vec4 four_shares(vec2 at) {
+  vec2 f = fract(at - 0.5);
+  return vec4((1 - f.x) * (1 - f.y), f.x * (1 - f.y), (1 - f.x) * f.y, f.x * f.y);
+}
+const vec4 least_share = vec4(1.0 / 16);  // less is not worth giving up a history for
+
+bool tag_differs(uint now, Reprojected r) {
+  return any(bvec4(uvec4(greaterThan(four_shares(r.at), least_share)) & uvec4(notEqual(r.tags, vec4(now)))));
+}
+
+bool object_differs(uint now, vec2 at) {
+  ivec2 corner = ivec2(floor(at - 0.5));
+  uvec4 before;
+  for (int i = 0; i < 4; ++i)
+    before[i] = fetch(previous_object_map, inside(corner + ivec2(i & 1, i >> 1))).r;
+  return any(bvec4(uvec4(greaterThan(four_shares(at), least_share)) & uvec4(notEqual(before, uvec4(now)))));
+}
 
 /// Whether none of the four pixels that the history comes from was as far away as this surface was.
 bool depth_differs(float expected, vec2 at) {
@@ -84,18 +95,18 @@ struct Rejection {
   uint causes;
 };
 
-Rejection rejection(Reprojected r, ivec2 speaker, uint tag) {
+Rejection rejection(Reprojected r, Speaker speaker) {
   Rejection j = Rejection(0, 0, false, 0);
-  if (rejects(reject_tag) && reads_tags && tag_differs(tag, r.at)) j.share = 1, j.causes |= reject_tag;
-  if (rejects(reject_object) && object_differs(object_at(speaker), r.at)) j.share = 1, j.causes |= reject_object;
-  if (rejects(reject_depth) && depth_differs(fetch(expected_depth_map, speaker).r, r.at))
+  if (tests_tags() && tag_differs(speaker.tag, r)) j.share = 1, j.causes |= reject_tag;
+  if (rejects(reject_object) && object_differs(object_at(speaker.at), r.at)) j.share = 1, j.causes |= reject_object;
+  if (rejects(reject_depth) && depth_differs(fetch(expected_depth_map, speaker.at).r, r.at))
     j.share = 1, j.causes |= reject_depth;
   if (rejects(reject_near_moving)) {
-    float distance_m = linear_depth(depth_at(speaker));
-    if (j.share == 0 && tag == 0 && length(r.motion) > push.motion_threshold_px && distance_m < push.far_m) {
-      j.share = 1 - smoothstep(push.near_m, push.far_m, distance_m);
-      j.causes |= reject_near_moving;
-    }
+    float nearness = clamp((push.far_m - linear_depth(speaker.depth)) / (push.far_m - push.near_m), 0, 1);
+    bool moves = dot(r.motion, r.motion) > push.motion_threshold_px * push.motion_threshold_px;
+    float share = speaker.tag == 0 && moves ? nearness * nearness * (3 - 2 * nearness) : 0;
+    if (share > j.share) j.causes |= reject_near_moving;
+    j.share = max(j.share, share);
   }
   if (rejects(reject_velocity | reject_motion_length | reject_speed)) {
     vec2 before = fetch(previous_motion_map, inside(ivec2(floor(r.at)))).xy;
@@ -154,15 +165,15 @@ vec3 rounded(vec3 colour, ivec2 pixel) {
   return min(uintBitsToFloat((bits + turn) & ~uvec3(0x1fff)), vec3(65504));
 }
 
-/// Writes all that is asked for.
-void write_pixel(ivec2 pixel, ivec2 speaker, uint tag, vec3 centre, Resolve r) {
-  vec4 result = vec4(rounded(r.colour, pixel), counts() ? r.count : 1);
-  imageStore(colour_out, pixel, result);
-  if (keeps == keeps_input) imageStore(input_out, pixel, vec4(min(centre, vec3(65504)), 1));
-  if (writes_to(TAA_WRITES_TAG)) imageStore(tag_out, pixel, uvec4(tag));
-  if (writes_to(TAA_WRITES_MOTION)) imageStore(motion_out, pixel, vec4(motion_at(speaker), 0, 0));
+/// Writes all that is asked for. The tag goes with the history, and costs no image of its own.
+void write_pixel(ivec2 pixel, Speaker speaker, vec3 centre, Resolve r) {
+  float tag = tests_tags() ? speaker.tag : 0;
+  imageStore(colour_out, pixel, vec4(rounded(r.colour, pixel), tag));
+  if (keeps == keeps_input) imageStore(input_out, pixel, vec4(min(centre, vec3(65504)), tag));
+  if (writes_to(TAA_WRITES_COUNT)) imageStore(count_out, pixel, vec4(r.count));
+  if (writes_to(TAA_WRITES_MOTION)) imageStore(motion_out, pixel, vec4(motion_at(speaker.at), 0, 0));
   if (writes_to(TAA_WRITES_DEPTH)) imageStore(depth_out, pixel, vec4(linear_depth(depth_at(pixel))));
-  if (writes_to(TAA_WRITES_OBJECT)) imageStore(object_out, pixel, uvec4(object_at(speaker)));
+  if (writes_to(TAA_WRITES_OBJECT)) imageStore(object_out, pixel, uvec4(object_at(speaker.at)));
   if (writes_to(TAA_WRITES_WHY))
     imageStore(why_out, pixel, vec4(r.weight, r.rectified, float(r.causes) / 255, r.count / 255));
   if (writes_to(TAA_WRITES_HISTORY)) imageStore(history_out, pixel, vec4(r.history, 1));

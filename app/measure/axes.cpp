@@ -79,17 +79,18 @@ double size_around(std::span<const glm::dvec3> axes, std::span<const Neighbourho
   return sum / double(std::max<size_t>(neighbourhoods.size(), 1));
 }
 
-std::vector<glm::dvec3> find_axes(const AxisSearch& search, const AxisCost& cost,
-                                  const std::function<void(double)>& progress) {
+FoundAxes find_axes(const AxisSearch& search, const AxisCost& cost,
+                    const std::function<void(double)>& progress) {
   constexpr size_t starts = 4;
   std::mt19937_64 random(search.seed);
   std::normal_distribution<double> normal;
-  std::vector<glm::dvec3> best;
+  FoundAxes best;
   double least = std::numeric_limits<double>::max();
   for (size_t start = 0; start < starts; ++start) {
     std::vector<glm::dvec3> axes = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     axes.resize(search.fixed);
     while (axes.size() < search.count) axes.push_back(random_axis(random));
+    const std::vector<glm::dvec3> first = axes;
     double now = cost(axes);
     const size_t steps = search.steps / starts;
     for (size_t step = 0; step < steps; ++step) {
@@ -104,7 +105,7 @@ std::vector<glm::dvec3> find_axes(const AxisSearch& search, const AxisCost& cost
         axis = before;
       if (step % 64 == 0) progress((double(start) + double(step) / double(steps)) / starts);
     }
-    if (now < least) least = now, best = axes;
+    if (now < least) least = now, best = {axes, first};
   }
   progress(1);
   return best;

@@ -30,10 +30,14 @@ struct AxisSearch {
   size_t steps = 20'000;
 };
 using AxisCost = std::function<double(std::span<const glm::dvec3> axes)>;
+/// The best of several starts, and what it began with.
+struct FoundAxes {
+  std::vector<glm::dvec3> axes, first;
+};
 /// Turns one axis at a time by less and less, and keeps what lowers the cost; several starts. The same seed
 /// finds the same. `progress` is told the share done.
-std::vector<glm::dvec3> find_axes(const AxisSearch& search, const AxisCost& cost,
-                                  const std::function<void(double)>& progress);
+FoundAxes find_axes(const AxisSearch& search, const AxisCost& cost,
+                    const std::function<void(double)>& progress);
 
 /// The lists that shaders are made with, by the name of the answer: xyz, dop16, dop22, dop32, ...
 std::vector<glm::dvec3> shipped_axes(std::string_view name);

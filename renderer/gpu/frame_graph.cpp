@@ -16,10 +16,8 @@ Binding sampled_stencil(uint32_t slot, ImageRef image) {
   return {.slot = slot, .use = Use::sampled_stencil, .image = image};
 }
 Binding filtered(uint32_t slot, ImageRef image) {
-  return {.slot = slot,
-          .use = Use::sampled,
-          .image = image,
-          .type = VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER};
+  return {
+      .slot = slot, .use = Use::sampled, .image = image, .type = VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER};
 }
 Binding storage_read(uint32_t slot, ImageRef image) {
   return {.slot = slot, .use = Use::storage_read, .image = image, .type = VK_DESCRIPTOR_TYPE_STORAGE_IMAGE};

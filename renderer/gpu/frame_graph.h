@@ -68,8 +68,8 @@ struct Attachment {
   bool together = false; // kept where any other attachment of the pass that says so is read
 };
 
-/// A specialization constant: a number, with bits that stand for images which the pass could write, set where anybody
-/// reads them.
+/// A specialization constant: a number, with bits that stand for images which the pass could write, set where
+/// anybody reads them.
 struct Constant {
   uint32_t value = 0;
   std::vector<std::pair<ImageRef, uint32_t>> if_live;
@@ -101,7 +101,7 @@ struct ComputePass {
   std::vector<Constant> constants; // constant_id 0, 1, ...
   std::vector<Binding> bindings;
   std::vector<std::byte> push;
-  VkExtent2D cover; // this many pixels
+  VkExtent2D cover;                                    // this many pixels
   VkExtent2D group{WORKGROUP_WIDTH, WORKGROUP_HEIGHT}; // of which a workgroup does so many
 };
 

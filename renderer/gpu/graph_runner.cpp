@@ -168,6 +168,7 @@ RunResult GraphRunner::run(const FrameGraph& graph) {
 
   const PassCommands::Context context{*this, graph, plan, places};
   const auto image_of = [&](ImageRef image) { return VkImage(pool_[places[image.index]].image->image); };
+  RunResult result;
   device_.run([&](VkCommandBuffer commands) {
     vkCmdWriteTimestamp2(commands, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, queries_, 0);
     for (size_t i = 0; i < plan.passes.size(); ++i) {
@@ -175,12 +176,12 @@ RunResult GraphRunner::run(const FrameGraph& graph) {
       record_barriers(commands, plan.passes[i].barriers, graph, image_of);
       PassCommands pass_commands(context, pass, commands);
       pass.record(pass_commands);
+      result.passes.push_back({.name = pass.name, .dispatched = pass_commands.dispatched()});
       vkCmdWriteTimestamp2(commands, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, queries_, uint32_t(i + 1));
     }
   });
   states_ = std::move(states);
   note_kept(graph, plan); // only now: what was not carried out changed nothing
-  RunResult result;
   collect(graph, plan, places, result);
   forget_unused(graph.frame());
   return result;
@@ -194,15 +195,13 @@ void GraphRunner::collect(const FrameGraph& graph, const FramePlan& plan, const 
         "reading times");
   std::vector<bool> counted(pool_.size(), false);
   for (size_t i = 0; i < plan.passes.size(); ++i) {
-    PassTime time{.name = graph.passes()[plan.passes[i].pass].name,
-                  .ms = double((ticks[i + 1] - ticks[i]) & device_.tick_mask()) *
-                        device_.nanoseconds_per_tick() * 1e-6};
+    PassTime& time = result.passes[i];
+    time.ms = double((ticks[i + 1] - ticks[i]) & device_.tick_mask()) * device_.nanoseconds_per_tick() * 1e-6;
     for (size_t image = 0; image < places.size(); ++image)
       if (places[image] != nowhere && plan.images[image].first_pass == i && !counted[places[image]]) {
         time.image_bytes += pool_[places[image]].image->bytes;
         counted[places[image]] = true;
       }
-    result.passes.push_back(std::move(time));
   }
   for (const PassTime& pass : result.passes) result.image_bytes += pass.image_bytes;
   for (size_t i = 0; i < graph.readbacks().size(); ++i) {

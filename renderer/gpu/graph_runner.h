@@ -10,10 +10,17 @@
 
 namespace unghost {
 
+/// What a full-screen pass ran: a shader, and its specialization constants 0, 1, ...
+struct Dispatched {
+  std::string shader;
+  std::vector<uint32_t> constants;
+};
+
 struct PassTime {
   std::string name;
   double ms = 0;
   uint64_t image_bytes = 0; // of the images that it is the first to touch
+  Dispatched dispatched;    // nothing for a pass that draws or copies
 };
 
 struct RunResult {
@@ -89,6 +96,7 @@ public:
   void bind(const GraphicsDesc& desc, VkDescriptorSetLayout second_set);
   void bind_second_set(VkDescriptorSet set);
   void push(std::span<const std::byte> bytes);
+  const Dispatched& dispatched() const { return dispatched_; }
 
 private:
   VkPipelineLayout layout(VkDescriptorSetLayout second_set) const;
@@ -99,6 +107,7 @@ private:
   const Pass& pass_;
   VkCommandBuffer commands_;
   VkPipelineLayout bound_ = VK_NULL_HANDLE;
+  Dispatched dispatched_;
 };
 
 } // namespace unghost

@@ -83,11 +83,13 @@ FixedState::FixedState(const GraphicsDesc& desc) : depth(depth_state(desc)) {
 VkPipeline Pipelines::graphics(const GraphicsDesc& desc, VkPipelineLayout layout) {
   const std::string key = key_of_graphics(desc, layout);
   if (const auto found = pipelines_.find(key); found != pipelines_.end()) return found->second;
-  const Specialization special(desc.constants);
-  std::vector<VkPipelineShaderStageCreateInfo> stages{
-      stage(VK_SHADER_STAGE_VERTEX_BIT, module(desc.vertex), special.info)};
-  if (!desc.fragment.empty())
-    stages.push_back(stage(VK_SHADER_STAGE_FRAGMENT_BIT, module(desc.fragment), special.info));
+  const OwnedModule vertex = module(desc.vertex, desc.constants);
+  OwnedModule fragment;
+  std::vector<VkPipelineShaderStageCreateInfo> stages{stage(VK_SHADER_STAGE_VERTEX_BIT, vertex)};
+  if (!desc.fragment.empty()) {
+    fragment = module(desc.fragment, desc.constants);
+    stages.push_back(stage(VK_SHADER_STAGE_FRAGMENT_BIT, fragment));
+  }
   const FixedState fixed(desc);
   constexpr VkDynamicState dynamic[] = {VK_DYNAMIC_STATE_VIEWPORT, VK_DYNAMIC_STATE_SCISSOR,
                                         VK_DYNAMIC_STATE_CULL_MODE, VK_DYNAMIC_STATE_FRONT_FACE,

@@ -34,7 +34,8 @@ void PassCommands::push_bindings(VkPipelineBindPoint point, VkPipelineLayout lay
                                : is_depth(format)                  ? image.depth
                                                                    : image.view;
       const bool filters = binding.type == VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
-      images[i] = {filters ? VkSampler(context_.runner.linear_) : VK_NULL_HANDLE, view, facts_of(binding.use, pass_.kind, format).layout};
+      images[i] = {filters ? VkSampler(context_.runner.linear_) : VK_NULL_HANDLE, view,
+                   facts_of(binding.use, pass_.kind, format).layout};
     } else {
       buffers[i] = {binding.buffer.buffer, binding.buffer.offset, binding.buffer.size};
     }
@@ -50,11 +51,12 @@ void PassCommands::push_bindings(VkPipelineBindPoint point, VkPipelineLayout lay
 }
 
 void PassCommands::dispatch(const ComputePass& pass) {
-  std::vector<uint32_t> constants;
+  std::vector<uint32_t>& constants = dispatched_.constants;
   for (const Constant& constant : pass.constants) {
     constants.push_back(constant.value);
     for (const auto& [image, bit] : constant.if_live) constants.back() |= live(image) ? bit : 0;
   }
+  dispatched_.shader = pass.shader;
   bound_ = layout(VK_NULL_HANDLE);
   const VkPipeline pipeline = context_.runner.pipelines_.compute(pass.shader, constants, bound_);
   vkCmdBindPipeline(commands_, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline);

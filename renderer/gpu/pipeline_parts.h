@@ -9,16 +9,6 @@
 
 namespace unghost {
 
-/// Specialization constants 0, 1, ... of 32 bits each.
-struct Specialization {
-  explicit Specialization(const std::vector<uint32_t>& constants) {
-    for (uint32_t i = 0; i < constants.size(); ++i) entries.push_back({i, i * 4, 4});
-    info = {uint32_t(entries.size()), entries.data(), constants.size() * 4, constants.data()};
-  }
-  std::vector<VkSpecializationMapEntry> entries;
-  VkSpecializationInfo info{};
-};
-
 /// A key out of everything that tells one pipeline from another.
 template <class... Parts> std::string key_of(const Parts&... parts) {
   std::ostringstream key;
@@ -32,13 +22,11 @@ template <class Range> std::string list_of(const Range& range) {
   return list.str();
 }
 
-inline VkPipelineShaderStageCreateInfo stage(VkShaderStageFlagBits bit, VkShaderModule module,
-                                             const VkSpecializationInfo& info) {
+inline VkPipelineShaderStageCreateInfo stage(VkShaderStageFlagBits bit, VkShaderModule module) {
   return {.sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO,
           .stage = bit,
           .module = module,
-          .pName = "main",
-          .pSpecializationInfo = &info};
+          .pName = "main"};
 }
 
 } // namespace unghost

@@ -3,6 +3,7 @@
 #include <fstream>
 
 #include "renderer/gpu/pipeline_parts.h"
+#include "renderer/gpu/specialize.h"
 
 namespace unghost {
 namespace {
@@ -27,15 +28,16 @@ std::vector<uint32_t> read_spirv(const std::filesystem::path& file) {
 Pipelines::Pipelines(const Device& device, std::filesystem::path shaders)
     : device_(device), shaders_(std::move(shaders)) {}
 
-VkShaderModule Pipelines::module(const std::string& file) {
-  if (const auto found = modules_.find(file); found != modules_.end()) return found->second;
-  const std::vector<uint32_t> words = read_spirv(shaders_ / (file + ".spv"));
+OwnedModule Pipelines::module(const std::string& file, const std::vector<uint32_t>& constants) {
+  auto found = spirv_.find(file);
+  if (found == spirv_.end()) found = spirv_.emplace(file, read_spirv(shaders_ / (file + ".spv"))).first;
+  const std::vector<uint32_t> words = specialized(found->second, constants);
   const VkShaderModuleCreateInfo info{.sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO,
                                       .codeSize = words.size() * 4,
                                       .pCode = words.data()};
   VkShaderModule made = VK_NULL_HANDLE;
   check(vkCreateShaderModule(device_.handle(), &info, nullptr, &made), "loading a shader");
-  return modules_.emplace(file, OwnedModule(device_.handle(), made)).first->second;
+  return OwnedModule(device_.handle(), made);
 }
 
 VkPipelineLayout Pipelines::layout(const LayoutDesc& desc) {
@@ -71,10 +73,9 @@ VkPipeline Pipelines::compute(const std::string& shader, const std::vector<uint3
                               VkPipelineLayout layout) {
   const std::string key = key_of(shader, list_of(constants), layout);
   if (const auto found = pipelines_.find(key); found != pipelines_.end()) return found->second;
-  const Specialization special(constants);
+  const OwnedModule code = module(shader, constants);
   const VkComputePipelineCreateInfo info{.sType = VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO,
-                                         .stage =
-                                             stage(VK_SHADER_STAGE_COMPUTE_BIT, module(shader), special.info),
+                                         .stage = stage(VK_SHADER_STAGE_COMPUTE_BIT, code),
                                          .layout = layout};
   VkPipeline made = VK_NULL_HANDLE;
   check(vkCreateComputePipelines(device_.handle(), VK_NULL_HANDLE, 1, &info, nullptr, &made),

@@ -44,11 +44,11 @@ private:
     OwnedSetLayout set;
     OwnedLayout layout;
   };
-  VkShaderModule module(const std::string& file);
+  OwnedModule module(const std::string& file, const std::vector<uint32_t>& constants);
 
   const Device& device_;
   std::filesystem::path shaders_;
-  std::map<std::string, OwnedModule> modules_;
+  std::map<std::string, std::vector<uint32_t>> spirv_; // by file
   std::map<std::vector<uint64_t>, Layout> layouts_;
   std::map<std::string, OwnedPipeline> pipelines_;
 };

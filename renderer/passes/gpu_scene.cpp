@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <tuple>
 
-#include "renderer/scene/animation.h"
 #include "renderer/scene/bounds.h"
 
 namespace unghost {
@@ -90,10 +89,7 @@ GpuScene::GpuScene(Device& device, const Scene& scene)
     }
     object_nodes.push_back(int(n));
   }
-  if (scene.vehicle >= 0) {
-    const glm::dmat4 world = world_matrices(scene, default_pose(scene))[size_t(scene.vehicle)];
-    vehicle = transformed(node_bounds(scene, scene.vehicle), glm::inverse(world));
-  }
+  vehicle = vehicle_bounds(scene);
   std::ranges::stable_sort(draws, {},
                            [](const Draw& draw) { return std::tuple(draw.features, draw.material); });
 }

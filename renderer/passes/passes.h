@@ -56,6 +56,7 @@ struct Motion {
   ImageRef motion_px;      // RG32F
   ImageRef previous_depth; // R32F, metres
   ImageRef depth;          // R32F: the G-buffer's depth, in a format that can be loaded without a sampler
+  ImageRef tagged_depth;   // R32F: the same, its last 8 bits the tag
 };
 
 struct Lit {

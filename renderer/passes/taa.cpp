@@ -6,11 +6,11 @@ namespace {
 
 constexpr VkFormat colour_format = VK_FORMAT_R16G16B16A16_SFLOAT, motion_format = VK_FORMAT_R32G32_SFLOAT,
                    depth_format = VK_FORMAT_R32_SFLOAT, object_format = VK_FORMAT_R32_UINT,
-                   tag_format = VK_FORMAT_R8_UINT;
+                   count_format = VK_FORMAT_R32_SFLOAT;
 
 /// What one mode keeps from frame to frame; where it does not keep one, `previous` is neutral and `next` 1x1.
 struct Kept {
-  History colour, tags, motion, depth, objects;
+  History colour, count, motion, depth, objects;
   uint32_t writes = 0; // TAA_WRITES_ bits
   bool valid = true;   // all that are kept hold last frame's
 };
@@ -28,12 +28,12 @@ Kept kept_by(FrameGraph& graph, const FrameContext& in, size_t place) {
     return history;
   };
   kept.colour = keep(true, "", colour_format, 0);
-  const bool tagged = in.scene.traits.tagged;
-  kept.tags = keep(policy.needs_previous_tags() && tagged, "tags of ", tag_format, TAA_WRITES_TAG);
+  const bool counts = policy.blend == Blend::counting || in.view == View::age;
+  kept.count = keep(counts, "count of ", count_format, TAA_WRITES_COUNT);
+  kept.valid = kept.colour.valid; // a count that begins late begins at 1
   kept.motion = keep(policy.needs_previous_motion(), "motion of ", motion_format, TAA_WRITES_MOTION);
   kept.depth = keep(policy.needs_previous_depth(), "depth of ", depth_format, TAA_WRITES_DEPTH);
   kept.objects = keep(policy.needs_previous_objects(), "objects of ", object_format, TAA_WRITES_OBJECT);
-  if (policy.blend == Blend::counting || in.view == View::age) kept.writes |= TAA_WRITES_COUNT;
   return kept;
 }
 
@@ -66,52 +66,83 @@ TaaPush push_of(const FrameContext& in, const TaaSettings& taa) {
           .frame = uint32_t(in.index)};
 }
 
-/// Everything that a resolve reads and writes. What it has no use for is neutral, so that nothing is made for
-/// it.
-std::vector<Binding> bindings_of(FrameGraph& graph, const FrameContext& in, const TaaInputs& inputs,
-                                 const TaaSettings& taa, const Kept& kept, const Resolved& resolved) {
-  const TaaPolicy& policy = taa.policy;
-  const bool reads = kept.valid, fast = taa.resolver == Resolver::fast;
-  const auto read = [&](uint32_t slot, ImageRef image) {
-    return fast ? storage_read(slot, image) : sampled(slot, image);
-  };
-  const auto read_if = [&](bool needed, uint32_t slot, ImageRef image, VkFormat format) {
-    return read(slot, needed ? image : graph.neutral(format));
-  };
-  const HistoryFilter filter = filter_for(in, policy.history);
-  const bool by_taps = filter == HistoryFilter::catmull_rom_9 || filter == HistoryFilter::catmull_rom_5;
-  const bool motion = reads || (kept.writes & TAA_WRITES_MOTION) != 0 || policy.dilation == Dilation::longest;
-  const bool depth = policy.needs_depth() && (reads || kept.writes != 0);
-  const bool objects = policy.needs_objects() && (reads || kept.writes != 0);
-  const bool tags = policy.needs_tags() && in.scene.traits.tagged;
+/// What the resolve takes from this frame and from the last one. What it has no use for is neutral, so that
+/// nothing is made for it.
+class Reading {
+public:
+  Reading(FrameGraph& graph, const FrameContext& in, const TaaSettings& taa, const Kept& kept)
+      : graph_(graph), policy_(taa.policy), kept_(kept), fast_(taa.resolver == Resolver::fast),
+        rejecting_(kept.valid || kept.writes != 0), tags_(policy_.needs_tags() && in.scene.traits.tagged) {
+    const HistoryFilter filter = filter_for(in, policy_.history);
+    by_taps_ = filter == HistoryFilter::catmull_rom_9 || filter == HistoryFilter::catmull_rom_5;
+  }
+
+  std::vector<Binding> of_frame(const TaaInputs& inputs) const {
+    const bool longest = policy_.dilation == Dilation::longest;
+    const bool motion = kept_.valid || (kept_.writes & TAA_WRITES_MOTION) != 0 || longest;
+    const bool objects = policy_.needs_objects() && rejecting_;
+    return {read(TAA_COLOUR, inputs.colour),
+            read_if(motion, TAA_MOTION, inputs.motion.motion_px, motion_format),
+            depth_of(inputs),
+            tags_ && !fast_ ? sampled_stencil(TAA_TAG, inputs.gbuffer.depth)
+                            : sampled(TAA_TAG, no_integers()),
+            sampled(TAA_OBJECT, objects ? inputs.gbuffer.object : no_integers()),
+            read_if(kept_.valid && policy_.needs_previous_depth(), TAA_EXPECTED_DEPTH,
+                    inputs.motion.previous_depth, depth_format)};
+  }
+  std::vector<Binding> of_last_frame() const {
+    const ImageRef colour = kept_.colour.previous;
+    return {read_if(kept_.valid && !by_taps_, TAA_PREVIOUS, colour, colour_format),
+            filtered(TAA_HISTORY_SAMPLER, kept_.valid && by_taps_ ? colour : no_floats()),
+            read(TAA_PREVIOUS_COUNT, kept_.count.previous),
+            read(TAA_PREVIOUS_MOTION, kept_.motion.previous),
+            read(TAA_PREVIOUS_DEPTH, kept_.depth.previous),
+            read(TAA_PREVIOUS_OBJECT, kept_.objects.previous)};
+  }
+
+private:
+  Binding read(uint32_t slot, ImageRef image) const {
+    return fast_ ? storage_read(slot, image) : sampled(slot, image);
+  }
+  Binding read_if(bool needed, uint32_t slot, ImageRef image, VkFormat format) const {
+    return read(slot, needed ? image : graph_.neutral(format));
+  }
+  Binding depth_of(const TaaInputs& inputs) const {
+    const bool needed = (policy_.needs_depth() && rejecting_) || (tags_ && fast_);
+    if (!fast_) return sampled(TAA_DEPTH, needed ? inputs.gbuffer.depth : no_floats());
+    return read_if(needed, TAA_DEPTH, tags_ ? inputs.motion.tagged_depth : inputs.motion.depth, depth_format);
+  }
   // Neutral images that are sampled have formats of their own: in one pass an image has one layout.
-  const ImageRef no_integers = graph.neutral(VK_FORMAT_R16_UINT),
-                 no_floats = graph.neutral(VK_FORMAT_R8_UNORM);
-  const ImageRef previous = kept.colour.previous, nothing = graph.image({"none", colour_format});
-  const bool keeps_input = policy.keeps == Keeps::input;
-  return {uniform(FRAME_BINDING, in.constants),
-          read(TAA_COLOUR, inputs.colour),
-          read_if(reads && !by_taps, TAA_PREVIOUS, previous, colour_format),
-          filtered(TAA_HISTORY_SAMPLER, reads && by_taps ? previous : no_floats),
-          fast ? storage_read(TAA_DEPTH, depth ? inputs.motion.depth : graph.neutral(depth_format))
-               : sampled(TAA_DEPTH, depth ? inputs.gbuffer.depth : no_floats),
-          read_if(motion, TAA_MOTION, inputs.motion.motion_px, motion_format),
-          tags ? sampled_stencil(TAA_TAG, inputs.gbuffer.depth) : sampled(TAA_TAG, no_integers),
-          sampled(TAA_OBJECT, objects ? inputs.gbuffer.object : no_integers),
-          read(TAA_PREVIOUS_TAG, kept.tags.previous),
-          read(TAA_PREVIOUS_MOTION, kept.motion.previous),
-          read(TAA_PREVIOUS_DEPTH, kept.depth.previous),
-          read(TAA_PREVIOUS_OBJECT, kept.objects.previous),
-          read_if(reads && policy.needs_previous_depth(), TAA_EXPECTED_DEPTH, inputs.motion.previous_depth,
-                  depth_format),
-          storage_write(TAA_OUT, resolved.colour),
-          storage_write(TAA_INPUT_OUT, keeps_input ? kept.colour.next : nothing),
-          storage_write(TAA_TAG_OUT, kept.tags.next),
+  ImageRef no_integers() const { return graph_.neutral(VK_FORMAT_R16_UINT); }
+  ImageRef no_floats() const { return graph_.neutral(VK_FORMAT_R8_UNORM); }
+
+  FrameGraph& graph_;
+  const TaaPolicy& policy_;
+  const Kept& kept_;
+  bool fast_, rejecting_, tags_, by_taps_ = false;
+};
+
+std::vector<Binding> writes_of(FrameGraph& graph, const TaaPolicy& policy, const Kept& kept,
+                               const Resolved& resolved) {
+  const ImageRef nothing = graph.image({"none", colour_format});
+  return {storage_write(TAA_OUT, resolved.colour),
+          storage_write(TAA_INPUT_OUT, policy.keeps == Keeps::input ? kept.colour.next : nothing),
+          storage_write(TAA_COUNT_OUT, kept.count.next),
           storage_write(TAA_MOTION_OUT, kept.motion.next),
           storage_write(TAA_DEPTH_OUT, kept.depth.next),
           storage_write(TAA_OBJECT_OUT, kept.objects.next),
           storage_write(TAA_WHY_OUT, resolved.why),
           storage_write(TAA_HISTORY_OUT, resolved.history)};
+}
+
+std::vector<Binding> bindings_of(FrameGraph& graph, const FrameContext& in, const TaaInputs& inputs,
+                                 const TaaSettings& taa, const Kept& kept, const Resolved& resolved) {
+  const Reading reading(graph, in, taa, kept);
+  std::vector<Binding> bindings{uniform(FRAME_BINDING, in.constants)};
+  for (const std::vector<Binding>& part :
+       {reading.of_frame(inputs), reading.of_last_frame(), writes_of(graph, taa.policy, kept, resolved)})
+    bindings.insert(bindings.end(), part.begin(), part.end());
+  return bindings;
 }
 
 /// In the order of the TAA_..._ID constants.

@@ -31,14 +31,18 @@ Bounds bounds_of(const Scene& scene, const std::vector<bool>& counted) {
 
 } // namespace
 
+std::array<glm::dvec4, 8> corners_of(const Bounds& box) {
+  std::array<glm::dvec4, 8> corners;
+  for (size_t i = 0; i < 8; ++i)
+    corners[i] = {i & 1 ? box.high.x : box.low.x, i & 2 ? box.high.y : box.low.y,
+                  i & 4 ? box.high.z : box.low.z, 1};
+  return corners;
+}
+
 Bounds transformed(const Bounds& box, const glm::dmat4& matrix) {
   Bounds out;
   if (box.empty()) return out;
-  for (int corner = 0; corner < 8; ++corner) {
-    const glm::dvec4 p(corner & 1 ? box.high.x : box.low.x, corner & 2 ? box.high.y : box.low.y,
-                       corner & 4 ? box.high.z : box.low.z, 1);
-    out.add(glm::vec3(matrix * p));
-  }
+  for (const glm::dvec4& corner : corners_of(box)) out.add(glm::vec3(matrix * corner));
   return out;
 }
 
@@ -47,6 +51,12 @@ Bounds scene_bounds(const Scene& scene) {
 }
 
 Bounds node_bounds(const Scene& scene, int node) { return bounds_of(scene, subtree_of(scene, node)); }
+
+Bounds vehicle_bounds(const Scene& scene) {
+  if (scene.vehicle < 0) return {};
+  const glm::dmat4 world = world_matrices(scene, default_pose(scene))[size_t(scene.vehicle)];
+  return transformed(node_bounds(scene, scene.vehicle), glm::inverse(world));
+}
 
 std::vector<bool> subtree_of(const Scene& scene, int node) {
   std::vector<bool> below(scene.nodes.size(), false);

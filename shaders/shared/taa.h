@@ -62,16 +62,14 @@ SHARED_CONSTANT TAA_KEEPS_ID = 9;
 SHARED_CONSTANT TAA_HAS_HISTORY_ID = 10; // without one the frame is taken as it is
 SHARED_CONSTANT TAA_READS_TAGS_ID = 11;
 SHARED_CONSTANT TAA_WRITES_ID = 12; // the TAA_WRITES_ bits
-SHARED_CONSTANT TAA_CONSTANTS = 13;
 
 /// What a resolve writes beside its result.
-SHARED_CONSTANT TAA_WRITES_TAG = 1;    // for the next frame's rejections
-SHARED_CONSTANT TAA_WRITES_MOTION = 2;
+SHARED_CONSTANT TAA_WRITES_COUNT = 1;   // of the frames that a history holds
+SHARED_CONSTANT TAA_WRITES_MOTION = 2;  // for the next frame's rejections
 SHARED_CONSTANT TAA_WRITES_DEPTH = 4;
 SHARED_CONSTANT TAA_WRITES_OBJECT = 8;
-SHARED_CONSTANT TAA_WRITES_COUNT = 16;  // of the frames that a history holds
-SHARED_CONSTANT TAA_WRITES_WHY = 32;    // for the views
-SHARED_CONSTANT TAA_WRITES_HISTORY = 64;
+SHARED_CONSTANT TAA_WRITES_WHY = 16;  // for the views
+SHARED_CONSTANT TAA_WRITES_HISTORY = 32;
 
 /// How much of each answer; push constants of the resolve.
 struct TaaPush {

@@ -14,8 +14,9 @@ constexpr auto quietly = [](double) {};
 
 std::vector<glm::dvec3> around_sphere(size_t count, uint64_t seed = 1) {
   return find_axes(
-      {.count = count, .seed = seed, .steps = 24'000},
-      [](std::span<const glm::dvec3> axes) { return volume_around_sphere(axes); }, quietly);
+             {.count = count, .seed = seed, .steps = 24'000},
+             [](std::span<const glm::dvec3> axes) { return volume_around_sphere(axes); }, quietly)
+      .axes;
 }
 
 TEST(Axes, VolumeOfKnownPolytopes) {

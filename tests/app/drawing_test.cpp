@@ -20,7 +20,6 @@ namespace unghost {
 namespace {
 
 using nlohmann::json;
-using Words = std::vector<std::string>;
 
 class DrawingTest : public testing::Test {
 protected:

@@ -9,12 +9,14 @@
 
 namespace unghost {
 
+using Words = std::vector<std::string>;
+
 struct Outcome {
   int exit;
   std::string out, err;
 };
 
-inline Outcome outcome(const std::vector<std::string>& words) {
+inline Outcome outcome(const Words& words) {
   std::vector<const char*> pointers;
   for (const std::string& word : words) pointers.push_back(word.c_str());
   std::ostringstream out, err;

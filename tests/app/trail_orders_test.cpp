@@ -10,10 +10,11 @@ namespace unghost {
 namespace {
 
 /// Trail by mode; a validation message would have ended the run with another exit code.
-std::map<std::string, double> trails(const std::string& rig) {
-  const Outcome run =
-      outcome({"measure", "--rig", rig, "--what", "trail", "--size", "256x144", "--frames", "26", "--validate",
-               "--json"});
+std::map<std::string, double> trails(const std::string& rig, const Words& more = {}) {
+  Words words{"measure", "--rig",    rig,  "--what",     "trail", "--size",
+              "256x144", "--frames", "26", "--validate", "--json"};
+  words.insert(words.end(), more.begin(), more.end());
+  const Outcome run = outcome(words);
   EXPECT_EQ(run.exit, 0) << run.err;
   std::map<std::string, double> trail;
   const nlohmann::json object = nlohmann::json::parse(run.out);
@@ -58,6 +59,18 @@ TEST(TrailOrders, RotateNeedsTags) {
 TEST(TrailOrders, PassLeavesTheMovingShadow) {
   std::map<std::string, double> trail = ordered_trails("pass");
   EXPECT_DOUBLE_EQ(trail["grand-tour"], trail["uncharted"]) << "ground that rests is never near and moving";
+}
+
+TEST(TrailOrders, OverheadNeedsThresholdsThatFollowTheVehicle) {
+  const auto trail_of = [](const char* rig, const Words& more) {
+    Words words{"--modes", "grand-tour"};
+    words.insert(words.end(), more.begin(), more.end());
+    return trails(rig, words)["grand-tour"];
+  };
+  const Words behind_the_car{"--set", "near=8", "--set", "far=12"}; // metres, right for the camera of `drive`
+  const double found = trail_of("overhead", {});
+  EXPECT_LE(found, trail_of("drive", {}));
+  EXPECT_GT(trail_of("overhead", behind_the_car), found + 0.01);
 }
 
 } // namespace

@@ -1,6 +1,7 @@
 // A resolve alone, on pictures made by hand: no scene, no camera, a rig of nothing but inputs.
 #pragma once
 
+#include <bit>
 #include <cstring>
 #include <deque>
 #include <limits>
@@ -56,7 +57,11 @@ public:
     for (size_t place = 0; place < runs.size(); ++place)
       graph.read_back(resolve_taa(graph, in, images, place).colour, VK_IMAGE_ASPECT_COLOR_BIT);
     std::vector<std::vector<glm::vec3>> results;
-    for (const std::vector<std::byte>& bytes : runner_.run(graph).readbacks) {
+    const RunResult run = runner_.run(graph);
+    dispatched_.clear();
+    for (const PassTime& pass : run.passes)
+      if (!pass.dispatched.shader.empty()) dispatched_.push_back(pass.dispatched);
+    for (const std::vector<std::byte>& bytes : run.readbacks) {
       std::vector<glm::vec3>& result = results.emplace_back();
       for (size_t i = 0; i < inputs.colours.size(); ++i) {
         uint64_t packed = 0;
@@ -65,6 +70,11 @@ public:
       }
     }
     return results;
+  }
+  /// What the last frame's resolves ran, in the order of the runs.
+  const std::vector<Dispatched>& dispatched() const { return dispatched_; }
+  std::filesystem::path shader_file(const std::string& shader) const {
+    return data_.shaders / (shader + ".spv");
   }
   const std::vector<std::string>& messages() const { return device_.validation_messages(); }
 
@@ -96,6 +106,13 @@ private:
   ImageRef upload(FrameGraph& graph, const std::vector<T>& texels, VkFormat format, VkExtent2D size) {
     return filled(graph, format, size, {{VK_IMAGE_ASPECT_COLOR_BIT, staged(texels)}});
   }
+  /// As the motion pass packs them.
+  static std::vector<uint32_t> tagged(const Inputs& inputs) {
+    std::vector<uint32_t> packed;
+    for (size_t i = 0; i < inputs.depth.size(); ++i)
+      packed.push_back((std::bit_cast<uint32_t>(inputs.depth[i]) & ~0xffu) | inputs.tags[i]);
+    return packed;
+  }
   TaaInputs upload_all(FrameGraph& graph, const Inputs& inputs) {
     const VkExtent2D size{inputs.width, inputs.height};
     std::vector<uint64_t> halves;
@@ -104,6 +121,7 @@ private:
     images.colour = upload(graph, halves, VK_FORMAT_R16G16B16A16_SFLOAT, size);
     images.motion.motion_px = upload(graph, inputs.motion, VK_FORMAT_R32G32_SFLOAT, size);
     images.motion.depth = upload(graph, inputs.depth, VK_FORMAT_R32_SFLOAT, size);
+    images.motion.tagged_depth = upload(graph, tagged(inputs), VK_FORMAT_R32_SFLOAT, size);
     images.motion.previous_depth = upload(graph, inputs.expected_depth, VK_FORMAT_R32_SFLOAT, size);
     images.gbuffer.object = upload(graph, inputs.objects, VK_FORMAT_R32_UINT, size);
     images.gbuffer.depth = filled(graph, VK_FORMAT_D32_SFLOAT_S8_UINT, size,
@@ -131,6 +149,7 @@ private:
   GpuScene scene_{device_, one_material()};
   GraphRunner runner_{device_, data_.shaders};
   std::deque<GpuBuffer> uploads_;
+  std::vector<Dispatched> dispatched_;
   uint64_t frame_ = 0;
 };
 

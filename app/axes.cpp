@@ -5,7 +5,9 @@
 #include <nlohmann/json.hpp>
 
 #include "app/commands.h"
+#include "app/failure.h"
 #include "app/headless.h"
+#include "app/interruption.h"
 #include "app/measure/axes.h"
 #include "app/table.h"
 
@@ -43,17 +45,19 @@ std::vector<Neighbourhood> neighbourhoods_of(const Shot& shot, Headless& headles
 
 AxisSearch search_of(const CommandLine& line, const Shot& shot) {
   const uint32_t faces = line.faces.value_or(16);
-  if (faces % 2 != 0) throw WrongWords("--faces is even: each axis has one on either side");
+  if (faces % 2 != 0) throw WrongWords("--faces must be even: each axis has one on either side");
   const AxisSearch search{.count = faces / 2,
                           .fixed = line.of_scene ? 0u : 3u,
                           .seed = shot.seed,
                           .steps = line.of_scene ? 6'000u : 24'000u};
-  if (search.count <= search.fixed) throw WrongWords("--faces is more than 6, which the three axes have");
+  if (search.count <= search.fixed)
+    throw WrongWords("without --of-scene, --faces must be more than 6, which X, Y and Z have");
   return search;
 }
 
 FoundAxes search_with_progress(const AxisSearch& search, const AxisCost& cost, Console& console) {
   return find_axes(search, cost, [&](double share) {
+    throw_if_interrupted();
     if (console.terminal && !console.quiet)
       console.err << "\rsearching: " << int(100 * share) << "%" << (share >= 1 ? "\n" : "") << std::flush;
   });
@@ -76,7 +80,8 @@ void say(const FoundAxes& found, const AxisCost& cost, const char* unit, nlohman
     object["axes"].push_back({axis.x, axis.y, axis.z});
     list += "X(" + fixed(axis.x, 6) + ", " + fixed(axis.y, 6) + ", " + fixed(axis.z, 6) + ")\n";
   }
-  console.out << (as_json ? object.dump(2) + "\n" : table.text() + list);
+  console.out << (as_json ? object.dump(2) + "\n"
+                          : table.text() + "\nfor shaders/shared/taa_axes.h:\n" + list);
 }
 
 } // namespace
@@ -85,10 +90,17 @@ void axes(const CommandLine& line, Console& console) {
   Shot shot = shot_from(line);
   shot.modes = {{.name = "off", .taa = {}}};
   const AxisSearch search = search_of(line, shot);
+  if (!line.of_scene && (line.scene || line.size || line.rig || line.frames || !line.assignments.empty()))
+    throw WrongWords(
+        "around the sphere no scene is drawn: say --of-scene, or neither scene, rig, size nor settings");
   std::vector<Neighbourhood> neighbourhoods;
   if (line.of_scene) {
     Headless headless(line, shot, console);
     neighbourhoods = neighbourhoods_of(shot, headless);
+    if (size_around(shipped_axes(spelling(Axes::xyz)), neighbourhoods) == 0)
+      throw Failure(Exit::failed,
+                    "no neighbourhood of these frames has more than a plane of colours: there is nothing "
+                    "to fit axes around");
     headless.finish();
   }
   const AxisCost cost = [&](std::span<const glm::dvec3> axes) {

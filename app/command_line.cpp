@@ -35,7 +35,7 @@ void add_device(CLI::App& app, CommandLine& line) {
       ->envname("UNGHOST_VALIDATE");
 }
 
-void add_drawing(CLI::App& app, CommandLine& line) {
+void add_drawing(CLI::App& app, CommandLine& line, bool with_frames) {
   app.add_option("SCENE", line.scene, "A glTF file, or " + std::string(own_scene) + " (the default)");
   app.add_option("--set", line.assignments, "name=value, of any setting; may be repeated")
       ->allow_extra_args(false)
@@ -46,9 +46,10 @@ void add_drawing(CLI::App& app, CommandLine& line) {
   app.add_option_function<std::string>(
       "--size", [&line](const std::string& text) { line.size = picture_size(text); },
       "WIDTHxHEIGHT, in pixels (default 1280x720)");
-  app.add_option("--frames", line.frames,
-                 "Rendered one by one from a cold start; the last one counts (default 64; measure: 32)")
-      ->check(CLI::Range(1u, most_frames));
+  if (with_frames)
+    app.add_option("--frames", line.frames,
+                   "Rendered one by one from a cold start; the last one counts (default 64; measure: 32)")
+        ->check(CLI::Range(1u, most_frames));
   app.add_option_function<std::string>(
       "--seed", [&line](const std::string& text) { line.seed = seed_of(text); },
       "Varies the rig; 1 is the rig as designed (default 1)");
@@ -64,7 +65,7 @@ void add_frames_out(CLI::App& app, CommandLine& line) {
 }
 
 void add_options(CLI::App& app, const CommandRow& row, CommandLine& line) {
-  if (row.options & drawing) add_drawing(app, line);
+  if (row.options & drawing) add_drawing(app, line, (row.options & timed) == 0);
   if (row.options & device) add_device(app, line);
   if (row.options & one_mode)
     app.add_option("--mode", line.mode, "Which temporal resolve (default grand-tour)");

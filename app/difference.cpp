@@ -50,7 +50,7 @@ std::optional<Window> best_window(const Blocks& sums, const Image& picture, cons
   const uint32_t columns = std::max(1u, size.width / block), rows = std::max(1u, size.height / block);
   const auto at = [&](uint32_t x, uint32_t y) { return sums.values[size_t(y) * sums.width + x]; };
   std::optional<Window> best;
-  double most = -1;
+  double most = 0; // pictures that are the same everywhere have no window worth a look
   for (uint32_t y = 0; y + rows < sums.height && y * block + size.height <= picture.height; ++y)
     for (uint32_t x = 0; x + columns < sums.width && x * block + size.width <= picture.width; ++x) {
       const Window window{x * block, y * block, size.width, size.height};

@@ -93,7 +93,7 @@ void Headless::render(std::span<const ModeRun> modes, const Wants& wants, const 
 void Headless::render_timed(std::span<const ModeRun> modes, const Take& take) {
   for (uint32_t frame = 0; frame < shot_.frames; ++frame) {
     FrameInput input = frame_input(shot_, context_, modes, frame);
-    input.measures_copy = true;
+    input.timed = true;
     FrameResult result = render_one(frame, input);
     take(frame, input.wanted, result);
   }

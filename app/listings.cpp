@@ -42,6 +42,7 @@ json setting_json(const Setting& row) {
     return object;
   }
   for (const Answer& answer : row.answers) object["choices"].push_back(answer.name);
+  if (row.kind == SettingKind::flags) object["several"] = true; // with commas between them; or the default
   return object;
 }
 
@@ -92,11 +93,13 @@ std::string_view summary_of(View view) {
   case View::near_moving:
     return "Red where the history was faded because the pixel is near, moving and untagged.";
   case View::rejected:
-    return "Where the history was given up, a colour a cause.";
+    return "Where the history was given up: off-screen red, tag green, near and moving violet, velocity "
+           "yellow, length "
+           "of motion cyan, speed pink, depth lime, object blue; of several the last.";
   case View::history:
     return "The history as it was mixed with the current frame.";
   case View::age:
-    return "How many frames a pixel holds: black one, white 63 or more, on a logarithmic scale.";
+    return "How many frames a pixel holds: black none, white 63 or more, on a logarithmic scale.";
   case View::volume:
     return "How large the colour box of the 3x3 neighbourhood is: white lets anything pass.";
   }

@@ -33,12 +33,13 @@ FrameImages declare_frame(FrameGraph& graph, const std::deque<FrameContext>& con
   FrameImages images;
   const ImageRef shadow_map = draw_shadow_map(graph, contexts.front()); // no jitter touches it
   for (const FrameContext& in : contexts) images.geometries.push_back(draw_geometry(graph, in, shadow_map));
-  if (contexts.front().measures_copy)
-    copy_yardstick(graph, contexts.front(), images.geometries.front().lit.colour);
+  const bool timed = contexts.front().timed;
+  if (timed) copy_yardstick(graph, contexts.front(), images.geometries.front().lit.colour);
   for (size_t place = 0; place < geometry_of.size(); ++place) {
     const size_t geometry = geometry_of[place];
     images.modes.push_back(draw_mode(graph, contexts[geometry], images.geometries[geometry], place));
     images.modes.back().geometry = geometry;
+    if (timed) graph.want(images.modes.back().resolved);
   }
   return images;
 }

@@ -32,7 +32,7 @@ struct Instant {
 /// then says whose).
 enum class Output {
   display,        // what the screen shows: RGBA, sRGB, 8 bits
-  resolved,       // linear HDR after the resolve, rgb
+  resolved,       // linear HDR after resolve and sharpening, rgb
   lit,            // linear HDR before the resolve, rgb
   depth,          // metres along the view axis, +inf for the sky
   motion,         // pixels, previous minus current, without jitter, xy
@@ -55,7 +55,7 @@ struct FrameInput {
   uint32_t width = 1280, height = 720;
   Settings settings; // light, stage and view; each run brings its own taa
   std::vector<ModeRun> modes;
-  bool measures_copy = false; // draws a full-screen copy, too: what run times are compared with
+  bool timed = false; // resolves every mode, wanted or not, and draws a full-screen copy to compare with
   std::vector<Wanted> wanted;
 };
 

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include <glm/gtc/matrix_transform.hpp>
@@ -161,8 +162,9 @@ DepthRange tagged_range(const FrameInput& input, const GpuScene& gpu, const Obje
   return {.deepest_m = float(deepest), .length_m = glm::length(box.high - box.low)};
 }
 
-bool share_geometry(const TaaSettings& a, const TaaSettings& b) {
+bool share_geometry(const FrameInput& input, const TaaSettings& a, const TaaSettings& b) {
   if (a.mip_bias != b.mip_bias) return false;
+  if (input.jitter_px) return a.texture_jitter == b.texture_jitter;
   const bool still = a.policy.jitter == Jitter::none || a.jitter_scale == 0;
   const bool other_still = b.policy.jitter == Jitter::none || b.jitter_scale == 0;
   return (still && other_still) || (!still && !other_still && a.policy.jitter == b.policy.jitter &&
@@ -184,8 +186,7 @@ std::vector<const TaaSettings*> share_geometries(const FrameInput& input, std::v
   std::vector<const TaaSettings*> jitters;
   for (const ModeRun& run : input.modes) {
     size_t geometry = 0;
-    while (geometry < jitters.size() && !input.jitter_px && !share_geometry(*jitters[geometry], run.taa))
-      ++geometry;
+    while (geometry < jitters.size() && !share_geometry(input, *jitters[geometry], run.taa)) ++geometry;
     if (geometry == jitters.size()) jitters.push_back(&run.taa);
     geometry_of.push_back(geometry);
   }
@@ -196,6 +197,7 @@ std::vector<const TaaSettings*> share_geometries(const FrameInput& input, std::v
 
 FrameSetup describe_frame(const FrameInput& given, const Scene& scene, const GpuScene& gpu,
                           FrameMemory& memory, LastFrame& before) {
+  assert(!given.modes.empty());
   FrameInput input = given;
   if (input.cut) input.before = input.now; // nothing of before may be used
   const std::vector<glm::dmat4> now = pose(scene, input.now);
@@ -226,7 +228,7 @@ FrameSetup describe_frame(const FrameInput& given, const Scene& scene, const Gpu
                   .shadow_version = version_of(before.shadows, map_place, objects, gpu, now),
                   .policy_changed = changes_of(before.policies, input.modes),
                   .tagged = tagged_range(input, gpu, objects),
-                  .measures_copy = input.measures_copy,
+                  .timed = input.timed,
                   .software = gpu.software};
   list_draws(in, constants, gpu, objects);
 

@@ -40,10 +40,7 @@ uint32_t answer_from(const Setting& row, std::string_view text) {
   if (found != row.answers.end()) return found->value;
   std::vector<std::string> names = names_of(row.answers);
   if (row.kind == SettingKind::flags) names.emplace_back(empty_flags);
-  std::string known;
-  for (const std::string& name : names) known += (known.empty() ? "" : ", ") + name;
-  throw SettingError(std::string(row.name) + " has no " + in_quotes(text) + " (it has " + known + ")" +
-                     did_you_mean(text, names));
+  throw SettingError(std::string(row.name) + " has no " + in_quotes(text) + did_you_mean(text, names));
 }
 
 uint32_t flags_from(const Setting& row, std::string_view text) {
@@ -129,9 +126,13 @@ std::optional<std::string> refusal(const Settings& settings) {
            text_of(settings.taa.far_m) + " m): between them the history fades in";
   if (policy.keeps == Keeps::input && policy.blend == Blend::counting)
     return "keeps=input has but one frame of history, which blend=counting could not count";
-  if (policy.uses_dop() && policy.space == Space::ycocg && policy.axes >= Axes::dop16_grass)
-    return "axes=" + std::string(spelling(policy.axes)) +
-           " were found in RGB, and space=ycocg is another space";
+  if (policy.axes_are_of_rgb() && (policy.space != Space::rgb || policy.weighting != Weighting::none))
+    return "axes=" + std::string(spelling(policy.axes)) + " were found for linear RGB, and " +
+           (policy.space != Space::rgb ? "space=" + std::string(spelling(policy.space))
+                                       : "weighting=" + std::string(spelling(policy.weighting))) +
+           " is another space";
+  if (policy.blend == Blend::attenuated && policy.rectify == Rectify::none)
+    return "blend=attenuated acts where a history is rectified, and rectify=none does not";
   if (policy.needs_history()) return std::nullopt;
   for (const Setting& row : settings_table())
     if (row.per_mode && row.kind != SettingKind::number && row.used.holds && !row.used.holds(settings) &&

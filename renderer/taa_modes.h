@@ -47,12 +47,16 @@ struct TaaPolicy {
   bool needs_history() const { return blend != Blend::current; }
   bool rejects(Reject tests) const { return needs_history() && has(reject, tests); }
   bool uses_dop() const { return rectify == Rectify::dop_clip || rectify == Rectify::dop_variance; }
+  /// Axes that were found for linear RGB colours; the others are tight around a sphere, in any space.
+  bool axes_are_of_rgb() const {
+    return uses_dop() &&
+           (axes == Axes::dop16_grass || axes == Axes::dop16_asphalt || axes == Axes::dop16_ours);
+  }
   bool uses_variance() const {
     return rectify == Rectify::variance_clamp || rectify == Rectify::variance_clip ||
            rectify == Rectify::dop_variance;
   }
   bool needs_tags() const { return rejects(Reject::tag | Reject::near_moving); }
-  bool needs_previous_tags() const { return rejects(Reject::tag); }
   bool needs_previous_motion() const {
     return rejects(Reject::velocity | Reject::motion_length | Reject::speed);
   }
@@ -78,13 +82,13 @@ struct TaaSettings {
   float far_m = 0.0f;               // and beyond this, none; 0: found
   float velocity_min = 0.001f;      // velocity: a difference of this share of the picture's sides is none
   float velocity_slope = 10.0f;     // and each share beyond it rejects this much more
-  // motion length: differs by more than this. A road that comes nearer is a pixel or two faster each frame; what was
-  // hidden by a vehicle differs by more.
+  // motion length: differs by more than this. A road that comes nearer is a pixel or two faster each frame;
+  // what was hidden by a vehicle differs by more.
   float motion_length_px = 3.0f;
-  float speed_px = 2.0f;            // speed: faster than this
-  float depth_share = 0.1f;         // depth: differs by more than this share of it
-  float sharpen = 0.0f;             // after the resolve; 0: none
-  float mip_bias = 0.0f;            // of the textures of what is drawn, -2 to 0
+  float speed_px = 2.0f;    // speed: faster than this
+  float depth_share = 0.1f; // depth: differs by more than this share of it
+  float sharpen = 0.0f;     // after the resolve; 0: none
+  float mip_bias = 0.0f;    // of the textures of what is drawn, -2 to 0
   TextureJitter texture_jitter = TextureJitter::kept;
   Resolver resolver = Resolver::fast;
 

@@ -33,31 +33,19 @@ struct Filtered {
 
 ivec2 catmull_rom_corner(vec2 at) { return ivec2(floor(at - 0.5)) - 1; }
 
-/// Out of 4 x 4 texels, from `first_row` of four columns on.
-#define CATMULL_ROM(texels, first_row, at, result)                                                           \
-  {                                                                                                          \
-    vec2 f = fract(at - 0.5);                                                                                \
-    vec4 across = catmull_rom_weights(f.x), down = catmull_rom_weights(f.y);                                 \
-    result = Filtered(vec3(0), vec3(1e30), vec3(0));                                                         \
-    for (int y = 0; y < 4; ++y) {                                                                            \
-      int row = 4 * (first_row + y);                                                                         \
-      result.colour += down[y] * (across[0] * texels[row] + across[1] * texels[row + 1] +                    \
-                                  across[2] * texels[row + 2] + across[3] * texels[row + 3]);                \
-      if (ringing == ringing_clamped && (y == 1 || y == 2)) {                                                \
-        result.low = min(result.low, min(texels[row + 1], texels[row + 2]));                                 \
-        result.high = max(result.high, max(texels[row + 1], texels[row + 2]));                               \
-      }                                                                                                      \
-    }                                                                                                        \
-  }
-
 /// 16 loads.
 Filtered catmull_rom_16(vec2 at) {
   ivec2 corner = catmull_rom_corner(at);
-  vec3 texels[16];
-  for (int y = 0; y < 4; ++y)
-    for (int x = 0; x < 4; ++x) texels[4 * y + x] = history_texel(corner + ivec2(x, y)).rgb;
-  Filtered r;
-  CATMULL_ROM(texels, 0, at, r)
+  vec2 f = fract(at - 0.5);
+  vec4 across = catmull_rom_weights(f.x), down = catmull_rom_weights(f.y);
+  Filtered r = Filtered(vec3(0), vec3(1e30), vec3(0));
+  for (int y = 0; y < 4; ++y) {
+    vec3 row[4];
+    for (int x = 0; x < 4; ++x) row[x] = history_texel(corner + ivec2(x, y)).rgb;
+    r.colour += down[y] * (across[0] * row[0] + across[1] * row[1] + across[2] * row[2] + across[3] * row[3]);
+    if (ringing == ringing_clamped && (y == 1 || y == 2))
+      r.low = min(r.low, min(row[1], row[2])), r.high = max(r.high, max(row[1], row[2]));
+  }
   return r;
 }
 
@@ -86,9 +74,9 @@ Filtered catmull_rom_taps(vec2 at, bool corners) {
   return r;
 }
 
-/// Catmull-Rom overshoots: never below 0, and not beyond the four nearest texels where that is asked for.
+/// Catmull-Rom overshoots: not beyond the four nearest texels where that is asked for. What is no number stays so.
 vec3 bounded(Filtered r) {
-  return ringing == ringing_clamped ? clamp(r.colour, r.low, r.high) : max(r.colour, vec3(0));
+  return ringing == ringing_clamped ? mix(clamp(r.colour, r.low, r.high), r.colour, isnan(r.colour)) : r.colour;
 }
 
 vec3 read_history(vec2 at) {

@@ -73,7 +73,7 @@ void speakers_by_rank(ivec2 first, out Speaker speakers[R]) {
 }
 
 void speakers_of(ivec2 first, out Speaker speakers[R]) {
-  if (dilation != dilation_centre && (has_history || writes != 0)) speakers_by_rank(first, speakers);
+  if (dilation != dilation_centre && (has_history || writes != 0 || tests_tags())) speakers_by_rank(first, speakers);
   else
     for (int i = 0; i < R; ++i) speakers[i] = speaker_at(inside(first + ivec2(0, i)));
 }
@@ -134,23 +134,32 @@ void rectify_all(Strip s, vec3 found[R], out vec3 bounded[R]) {
   float share[R];
   for (int i = 0; i < R; ++i) share[i] = 1e30;
   if (rectify == rectify_dop_clip) {
-#define CLIP(x, y, z) clip_along(vec3(x, y, z), s, found, share);
-    TAA_EACH_AXIS(CLIP)
+#define AXIS(x, y, z) clip_along(vec3(x, y, z), s, found, share);
+    TAA_EACH_AXIS
+#undef AXIS
     for (int i = 0; i < R; ++i) bounded[i] = on_segment(s.colours[3 * i + 4], found[i], share[i]);
     return;
   }
   if (rectify == rectify_dop_variance) {
-#define CLIP_VARIANCE(x, y, z) clip_variance_along(vec3(x, y, z), s, found, share);
-    TAA_EACH_AXIS(CLIP_VARIANCE)
+#define AXIS(x, y, z) clip_variance_along(vec3(x, y, z), s, found, share);
+    TAA_EACH_AXIS
+#undef AXIS
     for (int i = 0; i < R; ++i) bounded[i] = on_segment(s.colours[3 * i + 4], found[i], share[i]);
     return;
   }
   vec3 low[R], high[R];
   if (rectify == rectify_box_clamp || rectify == rectify_box_clip) boxes_of(s, low, high);
   else variance_boxes_of(s, low, high);
+  float brightest[COLUMN];
+  for (int y = 0; y < COLUMN && may_brighten(); ++y)
+    brightest[y] = max(max(weighted_luminance(s.colours[3 * y]), weighted_luminance(s.colours[3 * y + 1])),
+                       weighted_luminance(s.colours[3 * y + 2]));
   for (int i = 0; i < R; ++i) {
     vec3 centre = s.colours[3 * i + 4];
-    if (rectify == rectify_box_clamp || rectify == rectify_variance_clamp) bounded[i] = clamp(found[i], low[i], high[i]);
+    if (may_brighten())
+      bounded[i] = not_brighter(clamp(found[i], low[i], high[i]), found[i],
+                                max(max(brightest[i], brightest[i + 1]), brightest[i + 2]));
+    else if (rectify == rectify_box_clamp || rectify == rectify_variance_clamp) bounded[i] = clamp(found[i], low[i], high[i]);
     else bounded[i] = clip_to_box(found[i], centre, min(low[i], centre), max(high[i], centre));
   }
 }
@@ -203,7 +212,7 @@ vec3 catmull_rom_in(Window w, int i, vec2 at) {
     for (int x = 0; x < 5; ++x) row += across[x] * w.texels[WINDOW_WIDTH * (i + y) + x];
     sum += down[y] * row;
   }
-  return max(sum, vec3(0));
+  return sum;
 }
 
 /// Pixels above one another mostly come from pixels above one another, give or take one: then 5 x (R + 4) loads do the
@@ -223,7 +232,7 @@ void read_shared_histories(inout Reprojected r[R]) {
     for (int i = 0; i < R; ++i) {
       ivec2 off = corners[i] - w.corner;
       if (!done[i] && all(greaterThanEqual(off, ivec2(0))) && all(lessThanEqual(off, ivec2(1)))) {
-        r[i].found = catmull_rom_in(w, i, r[i].at);
+        take_history(r[i], catmull_rom_in(w, i, r[i].at));
         if (tests_tags()) r[i].tags = tags_in(w, i, greaterThan(off, ivec2(0)));
         done[i] = true;
       }
@@ -238,7 +247,7 @@ void read_histories(inout Reprojected r[R]) {
   if (sixteen && ringing == ringing_kept) read_shared_histories(r);
   else
     for (int i = 0; i < R; ++i) {
-      r[i].found = read_history(r[i].at);
+      take_history(r[i], read_history(r[i].at));
       if (tests_tags()) r[i].tags = read_tags(r[i].at);
     }
 }

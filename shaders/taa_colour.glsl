@@ -36,4 +36,7 @@ vec3 to_working(vec3 colour) {
 }
 vec3 from_working(vec3 colour) { return unweighted(space == space_ycocg ? rgb_from_ycocg(colour) : colour); }
 
+/// What the inverse weighting diverges in.
+float weighted_luminance(vec3 working) { return luminance(space == space_ycocg ? rgb_from_ycocg(working) : working); }
+
 #endif

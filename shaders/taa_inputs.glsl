@@ -82,8 +82,10 @@ float depth_at(ivec2 pixel) { return comparable_depth(loaded_depth(pixel)); }
 vec2 motion_at(ivec2 pixel) { return fetch(motion_map, pixel).xy; }
 /// By what a pixel is chosen to speak for those around it, as it is loaded; and what of it counts.
 float rank_at(ivec2 pixel) {
+  if (dilation != dilation_longest) return loaded_depth(pixel);
   vec2 motion = motion_at(pixel);
-  return dilation == dilation_longest ? dot(motion, motion) : loaded_depth(pixel);
+  float length_squared = dot(motion, motion);
+  return isnan(length_squared) ? -1 : length_squared;
 }
 float rank_of(float loaded) { return dilation == dilation_longest ? loaded : comparable_depth(loaded); }
 uint object_at(ivec2 pixel) { return texelFetch(object_map, pixel, 0).r; }

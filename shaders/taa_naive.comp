@@ -83,8 +83,9 @@ float share_along(vec3 axis, vec3 colours[9], vec3 history) {
 
 vec3 clip_to_dop(vec3 colours[9], vec3 history) {
   float share = 1e30;
-#define CLIP(x, y, z) share = min(share, share_along(vec3(x, y, z), colours, history));
-  TAA_EACH_AXIS(CLIP)
+#define AXIS(x, y, z) share = min(share, share_along(vec3(x, y, z), colours, history));
+  TAA_EACH_AXIS
+#undef AXIS
   return on_segment(colours[4], history, share);
 }
 
@@ -93,6 +94,11 @@ vec3 rectified(vec3 history, vec3 colours[9]) {
   if (rectify == rectify_dop_clip || rectify == rectify_dop_variance) return clip_to_dop(colours, history);
   if (rectify == rectify_box_clamp || rectify == rectify_box_clip) box_of(colours, low, high);
   else variance_box_of(colours, low, high);
+  if (may_brighten()) {
+    float brightest = 0;
+    for (int i = 0; i < 9; ++i) brightest = max(brightest, weighted_luminance(colours[i]));
+    return not_brighter(clamp(history, low, high), history, brightest);
+  }
   if (rectify == rectify_box_clamp || rectify == rectify_variance_clamp) return clamp(history, low, high);
   return clip_to_box(history, colours[4], min(low, colours[4]), max(high, colours[4]));
 }
@@ -109,7 +115,7 @@ void main() {
   if (needs_volume() || needs_blurred()) n = gather(pixel);
   else n.centre = n.blurred = colour_at(pixel);
   Reprojected r = reproject(pixel, speaker.at);
-  r.found = read_history(r.at);
+  take_history(r, read_history(r.at));
   r.tags = read_tags(r.at);
   vec3 found = to_working(r.found), bounded = needs_volume() ? rectified(found, n.colours) : found;
   float moved = needs_volume() ? moved_by(found, bounded) : 0;

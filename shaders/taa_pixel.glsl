@@ -18,14 +18,15 @@ struct Reprojected {
   vec2 motion, at;
   bool known;        // where the surface was
   bool inside;       // the picture
-  vec3 found;        // the history there, linear
+  vec3 found;        // the history there, linear, not negative
+  bool number;       // which it was
   vec4 tags;         // there
   float count;       // frames that it holds
 };
 
 /// All but what the history holds there.
 Reprojected reproject(ivec2 pixel, ivec2 speaker) {
-  Reprojected r = Reprojected(motion_at(speaker), vec2(0), false, false, vec3(0), vec4(0), 0);
+  Reprojected r = Reprojected(motion_at(speaker), vec2(0), false, false, vec3(0), false, vec4(0), 0);
   r.known = all(lessThan(abs(r.motion), vec2(MOTION_UNKNOWN / 2)));  // nor where it is not a number
   r.at = vec2(pixel) + 0.5 + (r.known ? r.motion : vec2(0));
   r.inside = all(greaterThanEqual(r.at, vec2(0))) && all(lessThanEqual(r.at, frame.size_px));
@@ -33,10 +34,15 @@ Reprojected reproject(ivec2 pixel, ivec2 speaker) {
   return r;
 }
 
+/// `found` as the filter gives it, which may overshoot below 0.
+void take_history(inout Reprojected r, vec3 found) {
+  r.number = !(any(isnan(found)) || any(isinf(found)));
+  r.found = max(found, vec3(0));
+}
+
 /// Whether there is a history to be used: one that is not a number is none.
 bool usable(Reprojected r) {
-  bool number = !(any(isnan(r.found)) || any(isinf(r.found)));
-  return r.known && number && (r.inside || !rejects(reject_off_screen));
+  return r.known && r.number && (r.inside || !rejects(reject_off_screen));
 }
 
 /// What a pixel becomes, and why.
@@ -76,13 +82,17 @@ bool object_differs(uint now, vec2 at) {
   return any(bvec4(uvec4(greaterThan(four_shares(at), least_share)) & uvec4(notEqual(before, uvec4(now)))));
 }
 
-/// Whether none of the four pixels that the history comes from was as far away as this surface was.
+/// Whether none of the four pixels that the history comes from was as far away as this surface was; the sky is as far as
+/// the sky alone.
 bool depth_differs(float expected, vec2 at) {
   ivec2 corner = ivec2(floor(at - 0.5));
-  bool found = isinf(expected);  // the sky is behind whatever was there
+  vec4 shares = four_shares(at);
+  bool found = false;
   for (int i = 0; i < 4; ++i) {
     float before = fetch(previous_depth_map, inside(corner + ivec2(i & 1, i >> 1))).r;
-    found = found || abs(before - expected) <= push.depth_share * expected;
+    bool as_far = isinf(expected) || isinf(before) ? before == expected
+                                                   : abs(before - expected) <= push.depth_share * expected;
+    found = found || (as_far && shares[i] > least_share[i]);
   }
   return !found;
 }
@@ -134,7 +144,7 @@ float blend_weight(float count, float rectified) {
   }
 }
 
-/// `bounded` is the history in the working space after rectification, `share` how far it was moved.
+/// `bounded` is the history in the working space after rectification, `moved` how far it was moved.
 Resolve resolve(Reprojected r, Rejection j, vec3 centre, vec3 blurred, vec3 bounded, float moved) {
   Resolve result = Resolve(centre, 1, 1, 0, 0, centre);
   if (!usable(r)) {
@@ -150,7 +160,7 @@ Resolve resolve(Reprojected r, Rejection j, vec3 centre, vec3 blurred, vec3 boun
   result.colour = weight >= 1 ? colour : from_working(mix(bounded, to_working(colour), weight));
   if (rejects(reject_velocity)) result.colour = mix(result.colour, blurred, j.drawn);
   result.weight = mix(weight, 1, j.drawn);
-  result.count = result.weight >= 1 ? 1 : min(r.count + 1, 1024);
+  result.count = result.weight >= 1 ? 1 : min(r.count + 1, keeps == keeps_input ? 2 : 1024);
   return result;
 }
 
@@ -172,7 +182,7 @@ void write_pixel(ivec2 pixel, Speaker speaker, vec3 centre, Resolve r) {
   if (keeps == keeps_input) imageStore(input_out, pixel, vec4(min(centre, vec3(65504)), tag));
   if (writes_to(TAA_WRITES_COUNT)) imageStore(count_out, pixel, vec4(r.count));
   if (writes_to(TAA_WRITES_MOTION)) imageStore(motion_out, pixel, vec4(motion_at(speaker.at), 0, 0));
-  if (writes_to(TAA_WRITES_DEPTH)) imageStore(depth_out, pixel, vec4(linear_depth(depth_at(pixel))));
+  if (writes_to(TAA_WRITES_DEPTH)) imageStore(depth_out, pixel, vec4(linear_depth(depth_at(speaker.at))));
   if (writes_to(TAA_WRITES_OBJECT)) imageStore(object_out, pixel, uvec4(object_at(speaker.at)));
   if (writes_to(TAA_WRITES_WHY))
     imageStore(why_out, pixel, vec4(r.weight, r.rectified, float(r.causes) / 255, r.count / 255));

@@ -27,6 +27,16 @@ vec3 on_segment(vec3 centre, vec3 history, float share) {
   return share >= 1 ? history : centre + (history - centre) * max(share, 0);
 }
 
+/// A clamp takes each channel by itself, and may join the bright ones of several colours: weighted by luminance that
+/// would be a colour brighter than any. Not brighter than the brightest of what it was made from.
+bool may_brighten() {
+  bool clamps = rectify == rectify_box_clamp || rectify == rectify_variance_clamp;
+  return clamps && weighting == weighting_inverse_luminance;
+}
+vec3 not_brighter(vec3 bounded, vec3 found, float brightest) {
+  return bounded * min(1, max(brightest, weighted_luminance(found)) / max(weighted_luminance(bounded), 1e-6));
+}
+
 /// How far a history was moved: 1 by a tenth of itself or more.
 float moved_by(vec3 found, vec3 bounded) {
   return clamp(length(bounded - found) / (0.1 * length(found) + 0.01), 0, 1);

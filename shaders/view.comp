@@ -95,9 +95,7 @@ vec3 draw(ivec2 pixel) {
     return tag == 0 ? grey : mix(picture, hue(float(tag) * 0.381966), 0.7);
   }
   case view_shadow: return vec3(texelFetch(visibility_map, pixel, 0).r);
-  case view_weight:
-    if (!resolved) return vec3(1);
-    return vec3(texelFetch(why_map, min(pixel, textureSize(why_map, 0) - 1), 0).r);
+  case view_weight: return vec3(resolved ? why_at(pixel).r : 1);
   case view_history:
     return resolved ? shown(texelFetch(history_map, min(pixel, textureSize(history_map, 0) - 1), 0).rgb) : vec3(0);
   case view_age: return resolved ? vec3(log2(1 + why_at(pixel).a * 255) / 6) : vec3(0);

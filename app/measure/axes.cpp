@@ -113,14 +113,9 @@ FoundAxes find_axes(const AxisSearch& search, const AxisCost& cost,
 
 std::vector<glm::dvec3> shipped_axes(std::string_view name) {
 #define UNGHOST_AXIS(x, y, z) glm::dvec3(x, y, z),
-  const std::pair<Axes, std::vector<glm::dvec3>> lists[] = {
-      {Axes::xyz, {TAA_AXES_XYZ(UNGHOST_AXIS)}},
-      {Axes::dop16, {TAA_AXES_DOP16(UNGHOST_AXIS)}},
-      {Axes::dop22, {TAA_AXES_DOP22(UNGHOST_AXIS)}},
-      {Axes::dop32, {TAA_AXES_DOP32(UNGHOST_AXIS)}},
-      {Axes::dop16_grass, {TAA_AXES_DOP16_GRASS(UNGHOST_AXIS)}},
-      {Axes::dop16_asphalt, {TAA_AXES_DOP16_ASPHALT(UNGHOST_AXIS)}},
-      {Axes::dop16_ours, {TAA_AXES_DOP16_OURS(UNGHOST_AXIS)}}};
+#define UNGHOST_LIST(answer, list) {Axes::answer, {list(UNGHOST_AXIS)}},
+  const std::pair<Axes, std::vector<glm::dvec3>> lists[] = {TAA_AXIS_LISTS(UNGHOST_LIST)};
+#undef UNGHOST_LIST
 #undef UNGHOST_AXIS
   for (const auto& [axes, list] : lists)
     if (spelling(axes) == name) return list;

@@ -35,7 +35,7 @@ struct FrameContext {
   uint64_t shadow_version = 0;         // changes with whatever the shadows of what rests depend on
   std::vector<uint8_t> policy_changed; // by mode: its history is of another policy
   DepthRange tagged;
-  bool measures_copy = false;
+  bool timed = false;
   bool software = false;        // the device: some ways to the same result suit one better
   bool shifts_textures = false; // back by the jitter
   bool biases_textures = false;

@@ -68,59 +68,65 @@ TaaPush push_of(const FrameContext& in, const TaaSettings& taa) {
 
 /// What the resolve takes from this frame and from the last one. What it has no use for is neutral, so that
 /// nothing is made for it.
-class Reading {
-public:
-  Reading(FrameGraph& graph, const FrameContext& in, const TaaSettings& taa, const Kept& kept)
-      : graph_(graph), policy_(taa.policy), kept_(kept), fast_(taa.resolver == Resolver::fast),
-        rejecting_(kept.valid || kept.writes != 0), tags_(policy_.needs_tags() && in.scene.traits.tagged) {
-    const HistoryFilter filter = filter_for(in, policy_.history);
-    by_taps_ = filter == HistoryFilter::catmull_rom_9 || filter == HistoryFilter::catmull_rom_5;
-  }
+struct Reading {
+  FrameGraph& graph;
+  const TaaPolicy& policy;
+  const Kept& kept;
+  bool fast = true;     // loads from storage images
+  bool tags = false;    // asks for them, and there are any
+  bool by_taps = false; // of the history, through a sampler
 
-  std::vector<Binding> of_frame(const TaaInputs& inputs) const {
-    const bool longest = policy_.dilation == Dilation::longest;
-    const bool motion = kept_.valid || (kept_.writes & TAA_WRITES_MOTION) != 0 || longest;
-    const bool objects = policy_.needs_objects() && rejecting_;
-    return {read(TAA_COLOUR, inputs.colour),
-            read_if(motion, TAA_MOTION, inputs.motion.motion_px, motion_format),
-            depth_of(inputs),
-            tags_ && !fast_ ? sampled_stencil(TAA_TAG, inputs.gbuffer.depth)
-                            : sampled(TAA_TAG, no_integers()),
-            sampled(TAA_OBJECT, objects ? inputs.gbuffer.object : no_integers()),
-            read_if(kept_.valid && policy_.needs_previous_depth(), TAA_EXPECTED_DEPTH,
-                    inputs.motion.previous_depth, depth_format)};
-  }
-  std::vector<Binding> of_last_frame() const {
-    const ImageRef colour = kept_.colour.previous;
-    return {read_if(kept_.valid && !by_taps_, TAA_PREVIOUS, colour, colour_format),
-            filtered(TAA_HISTORY_SAMPLER, kept_.valid && by_taps_ ? colour : no_floats()),
-            read(TAA_PREVIOUS_COUNT, kept_.count.previous),
-            read(TAA_PREVIOUS_MOTION, kept_.motion.previous),
-            read(TAA_PREVIOUS_DEPTH, kept_.depth.previous),
-            read(TAA_PREVIOUS_OBJECT, kept_.objects.previous)};
-  }
-
-private:
   Binding read(uint32_t slot, ImageRef image) const {
-    return fast_ ? storage_read(slot, image) : sampled(slot, image);
+    return fast ? storage_read(slot, image) : sampled(slot, image);
   }
   Binding read_if(bool needed, uint32_t slot, ImageRef image, VkFormat format) const {
-    return read(slot, needed ? image : graph_.neutral(format));
-  }
-  Binding depth_of(const TaaInputs& inputs) const {
-    const bool needed = (policy_.needs_depth() && rejecting_) || (tags_ && fast_);
-    if (!fast_) return sampled(TAA_DEPTH, needed ? inputs.gbuffer.depth : no_floats());
-    return read_if(needed, TAA_DEPTH, tags_ ? inputs.motion.tagged_depth : inputs.motion.depth, depth_format);
+    return read(slot, needed ? image : graph.neutral(format));
   }
   // Neutral images that are sampled have formats of their own: in one pass an image has one layout.
-  ImageRef no_integers() const { return graph_.neutral(VK_FORMAT_R16_UINT); }
-  ImageRef no_floats() const { return graph_.neutral(VK_FORMAT_R8_UNORM); }
-
-  FrameGraph& graph_;
-  const TaaPolicy& policy_;
-  const Kept& kept_;
-  bool fast_, rejecting_, tags_, by_taps_ = false;
+  ImageRef no_integers() const { return graph.neutral(VK_FORMAT_R16_UINT); }
+  ImageRef no_floats() const { return graph.neutral(VK_FORMAT_R8_UNORM); }
 };
+
+Reading reading_of(FrameGraph& graph, const FrameContext& in, const TaaSettings& taa, const Kept& kept) {
+  const HistoryFilter filter = filter_for(in, taa.policy.history);
+  return {.graph = graph,
+          .policy = taa.policy,
+          .kept = kept,
+          .fast = taa.resolver == Resolver::fast,
+          .tags = taa.policy.needs_tags() && in.scene.traits.tagged,
+          .by_taps = filter == HistoryFilter::catmull_rom_9 || filter == HistoryFilter::catmull_rom_5};
+}
+
+Binding depth_read(const Reading& r, const TaaInputs& inputs) {
+  const bool needed = (r.policy.needs_depth() && (r.kept.valid || r.kept.writes != 0)) || r.tags;
+  if (!r.fast) return sampled(TAA_DEPTH, needed ? inputs.gbuffer.depth : r.no_floats());
+  return r.read_if(needed, TAA_DEPTH, r.tags ? inputs.motion.tagged_depth : inputs.motion.depth,
+                   depth_format);
+}
+
+std::vector<Binding> reads_of_frame(const Reading& r, const TaaInputs& inputs) {
+  const bool longest = r.policy.dilation == Dilation::longest;
+  const bool motion = r.kept.valid || (r.kept.writes & TAA_WRITES_MOTION) != 0 || longest;
+  const bool objects = r.policy.needs_objects() && (r.kept.valid || r.kept.writes != 0);
+  return {r.read(TAA_COLOUR, inputs.colour),
+          r.read_if(motion, TAA_MOTION, inputs.motion.motion_px, motion_format),
+          depth_read(r, inputs),
+          r.tags && !r.fast ? sampled_stencil(TAA_TAG, inputs.gbuffer.depth)
+                            : sampled(TAA_TAG, r.no_integers()),
+          sampled(TAA_OBJECT, objects ? inputs.gbuffer.object : r.no_integers()),
+          r.read_if(r.kept.valid && r.policy.needs_previous_depth(), TAA_EXPECTED_DEPTH,
+                    inputs.motion.previous_depth, depth_format)};
+}
+
+std::vector<Binding> reads_of_last_frame(const Reading& r) {
+  const ImageRef colour = r.kept.colour.previous;
+  return {r.read_if(r.kept.valid && !r.by_taps, TAA_PREVIOUS, colour, colour_format),
+          filtered(TAA_HISTORY_SAMPLER, r.kept.valid && r.by_taps ? colour : r.no_floats()),
+          r.read(TAA_PREVIOUS_COUNT, r.kept.count.previous),
+          r.read(TAA_PREVIOUS_MOTION, r.kept.motion.previous),
+          r.read(TAA_PREVIOUS_DEPTH, r.kept.depth.previous),
+          r.read(TAA_PREVIOUS_OBJECT, r.kept.objects.previous)};
+}
 
 std::vector<Binding> writes_of(FrameGraph& graph, const TaaPolicy& policy, const Kept& kept,
                                const Resolved& resolved) {
@@ -137,10 +143,10 @@ std::vector<Binding> writes_of(FrameGraph& graph, const TaaPolicy& policy, const
 
 std::vector<Binding> bindings_of(FrameGraph& graph, const FrameContext& in, const TaaInputs& inputs,
                                  const TaaSettings& taa, const Kept& kept, const Resolved& resolved) {
-  const Reading reading(graph, in, taa, kept);
+  const Reading reading = reading_of(graph, in, taa, kept);
   std::vector<Binding> bindings{uniform(FRAME_BINDING, in.constants)};
-  for (const std::vector<Binding>& part :
-       {reading.of_frame(inputs), reading.of_last_frame(), writes_of(graph, taa.policy, kept, resolved)})
+  for (const std::vector<Binding>& part : {reads_of_frame(reading, inputs), reads_of_last_frame(reading),
+                                           writes_of(graph, taa.policy, kept, resolved)})
     bindings.insert(bindings.end(), part.begin(), part.end());
   return bindings;
 }
@@ -180,7 +186,7 @@ Resolved resolve_taa(FrameGraph& graph, const FrameContext& in, const TaaInputs&
   const TaaPush push = push_of(in, taa);
   const auto bytes = std::as_bytes(std::span(&push, 1));
   const bool fast = taa.resolver == Resolver::fast;
-  graph.compute({.name = (fast ? "taa " : "naive taa ") + in.modes[place].name,
+  graph.compute({.name = "taa " + in.modes[place].name,
                  .shader = fast ? "taa.comp" : "taa_naive.comp",
                  .constants = constants_of(in, taa.policy, kept, resolved),
                  .bindings = bindings_of(graph, in, inputs, taa, kept, resolved),

@@ -40,18 +40,16 @@
   X(-0.822285, 0.565948, 0.059588) X(-0.002357, -0.705181, 0.709023) X(0.876299, -0.417605, -0.240221)       \
   X(-0.037951, -0.361420, 0.931630) X(-0.727553, 0.210903, 0.652829)
 
+/// The lists by the answer that asks for them.
+#define TAA_AXIS_LISTS(LIST)                                                                                 \
+  LIST(xyz, TAA_AXES_XYZ) LIST(dop16, TAA_AXES_DOP16) LIST(dop22, TAA_AXES_DOP22) LIST(dop32, TAA_AXES_DOP32) \
+  LIST(dop16_grass, TAA_AXES_DOP16_GRASS) LIST(dop16_asphalt, TAA_AXES_DOP16_ASPHALT)                        \
+  LIST(dop16_ours, TAA_AXES_DOP16_OURS)
+
 #ifndef __cplusplus
-/// X for each of the axes that the resolve is made with.
-#define TAA_EACH_AXIS(X)                                                                                     \
-  switch (axes) {                                                                                            \
-  case axes_dop16: { TAA_AXES_DOP16(X) } break;                                                              \
-  case axes_dop22: { TAA_AXES_DOP22(X) } break;                                                              \
-  case axes_dop32: { TAA_AXES_DOP32(X) } break;                                                              \
-  case axes_dop16_grass: { TAA_AXES_DOP16_GRASS(X) } break;                                                  \
-  case axes_dop16_asphalt: { TAA_AXES_DOP16_ASPHALT(X) } break;                                              \
-  case axes_dop16_ours: { TAA_AXES_DOP16_OURS(X) } break;                                                    \
-  default: { TAA_AXES_XYZ(X) } break;                                                                        \
-  }
+/// AXIS(x, y, z), which whoever asks defines, for each of the axes that the resolve is made with.
+#define TAA_AXES_CASE(answer, list) case axes_##answer: { list(AXIS) } break;
+#define TAA_EACH_AXIS switch (axes) { TAA_AXIS_LISTS(TAA_AXES_CASE) }
 #endif
 
 #endif

@@ -29,7 +29,9 @@ TEST(Axes, VolumeOfKnownPolytopes) {
 
 TEST(Axes, AroundTheSphereAreNoWorseThanThePapers) {
   EXPECT_LE(volume_around_sphere(around_sphere(16)), volume_around_sphere(shipped_axes("dop32")));
-  EXPECT_LE(volume_around_sphere(around_sphere(8)), volume_around_sphere(shipped_axes("dop16-grass")));
+  // none of the paper's sixteen faces was found for a sphere; ours, and with X, Y and Z among them, is far
+  // below them
+  EXPECT_LE(volume_around_sphere(around_sphere(8)), 0.98 * volume_around_sphere(shipped_axes("dop16-grass")));
 }
 
 TEST(Axes, ShippedOnesAreWhatTheSearchFinds) {
@@ -51,17 +53,23 @@ TEST(Axes, EveryListHasUnitAxesAndTwiceAsManyFaces) {
 }
 
 TEST(Axes, MoreAxesAreNeverLooser) {
-  Neighbourhood colours;
-  for (size_t i = 0; i < 9; ++i) colours[i] = {0.1 * double(i), 0.02 * double(i * i % 7), 0.3};
+  Neighbourhood colours, flat;
+  for (size_t i = 0; i < 9; ++i) {
+    colours[i] = {0.1 * double(i), 0.02 * double(i * i % 7), 0.05 * double(i * 5 % 9)};
+    flat[i] = {colours[i].x, colours[i].y, 0.3};
+  }
   std::vector<glm::dvec3> axes = shipped_axes("xyz");
   double before = size_around(axes, std::vector{colours});
+  const double of_box = before;
+  EXPECT_GT(of_box, 0.1);
   for (const glm::dvec3& axis : shipped_axes("dop32")) {
     axes.push_back(axis);
     const double after = size_around(axes, std::vector{colours});
     EXPECT_LE(after, before);
     before = after;
   }
-  EXPECT_EQ(before, 0) << "a plane of one blue has no volume";
+  EXPECT_LT(before, 0.9 * of_box);
+  EXPECT_EQ(size_around(axes, std::vector{flat}), 0) << "a plane of one blue has no volume";
 }
 
 } // namespace

@@ -174,6 +174,17 @@ TEST_F(DrawingTest, ABenchSaysWhatEachModeAdds) {
     EXPECT_GT(one.at("over_naive").get<double>(), 0);
     EXPECT_GT(one.at("over_copy").get<double>(), 0);
   }
+  EXPECT_TRUE(object.at("rows").at(1).at("over_no_rejection").is_null());
+}
+
+TEST_F(DrawingTest, ABenchOfNothingIsZeroAndSharpeningCounts) {
+  const json off = json::parse(draw({"bench", "--rounds", "2", "--modes", "off", "--json"}).out);
+  EXPECT_EQ(off.at("rows").at(0).at("ms"), 0);
+  const Outcome run =
+      draw({"bench", "--rounds", "2", "--modes", "uncharted", "--set", "sharpen=2", "--timings", "--json"});
+  EXPECT_NE(run.err.find("sharpen uncharted "), std::string::npos) << run.err;
+  const json row = json::parse(run.out).at("rows").at(0);
+  EXPECT_GT(row.at("over_no_rejection").get<double>(), 0);
 }
 
 TEST_F(DrawingTest, AxesOfASceneAreThoseOfItsSeed) {

@@ -44,7 +44,7 @@ double share_left(const TaaPolicy& policy) {
   return policy.keeps == Keeps::input || policy.uses_variance() || policy.uses_dop() ? 0.6 : 0.5;
 }
 
-TEST_F(Convergence, EveryModeHalvesTheErrorOfAStillPicture) {
+TEST_F(Convergence, EveryModeLowersTheErrorOfAStillPicture) {
   std::vector<ModeRun> modes;
   for (const TaaMode& mode : taa_modes()) modes.push_back(run_of(mode.name));
   FrameResult last;

@@ -149,6 +149,54 @@ TEST_F(Frame, EveryViewIsDrawnWithAndWithoutAHistoryAndShowsSomethingElse) {
   EXPECT_EQ(pictures.size(), answers<View>().size());
 }
 
+TEST_F(Frame, AgeCountsTheFramesThatAPixelHolds) {
+  std::vector<int> ages; // of a pixel in the middle of a still picture
+  for (int index = 0; index < 9; ++index) {
+    FrameInput input = studio->frame("still", index, {run_of("blend"), run_of("crytek-2x")},
+                                     {{Output::display, 0}, {Output::display, 1}});
+    input.cut = index == 0 || index == 5;
+    if (index != 1) input.settings.view = View::age;
+    const FrameResult result = studio->renderer.render(input);
+    const auto frames = [&](size_t mode) {
+      const double grey = result.delivered[mode].picture.rgba[4 * (90 * 320 + 160)] / 255.0;
+      return int(std::lround(std::exp2(6 * grey) - 1));
+    };
+    if (index != 1) ages.push_back(frames(0));
+    EXPECT_TRUE(index == 1 || frames(1) <= 2) << "two frames hold no more";
+  }
+  // one; not looked at in the second, so that the third begins to count; a cut at the sixth
+  EXPECT_EQ(ages, (std::vector<int>{1, 2, 3, 4, 1, 2, 3, 4}));
+}
+
+// Off-screen red, tag green, near and moving violet: where the views of a cause have it alone, so has this
+// one.
+TEST_F(Frame, RejectedHasAColourACause) {
+  std::map<View, std::vector<uint8_t>> pictures;
+  for (const View view : {View::colour, View::rejected, View::tag_rejected, View::near_moving})
+    for (int index = 0; index < 4; ++index) {
+      FrameInput input = studio->frame("drive", index, {run_of("grand-tour")}, {{Output::display}});
+      input.settings.view = view;
+      pictures[view] = studio->renderer.render(input).delivered[0].picture.rgba;
+    }
+  size_t tags = 0, near = 0;
+  for (size_t i = 0; i < pictures[View::colour].size(); i += 4) {
+    const auto marked = [&](View view) {
+      return !std::equal(&pictures[view][i], &pictures[view][i] + 3, &pictures[View::colour][i]);
+    };
+    const uint8_t *shown = &pictures[View::rejected][i], *plain = &pictures[View::colour][i];
+    const int red = shown[0] - plain[0] / 4, green = shown[1] - plain[1] / 4, blue = shown[2] - plain[2] / 4;
+    if (marked(View::near_moving)) {
+      near += 1;
+      EXPECT_TRUE(blue > green && red > green) << i;
+    } else if (marked(View::tag_rejected)) {
+      tags += 1;
+      EXPECT_TRUE(green > red && green > blue) << i;
+    }
+  }
+  EXPECT_GT(tags, 10u);
+  EXPECT_GT(near, 100u);
+}
+
 /// The mean difference of neighbours across, in 8 bits.
 double contrast(const Image& picture) {
   double sum = 0;

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <bit>
+#include <cmath>
 #include <cstring>
 #include <deque>
 #include <limits>
+#include <random>
 
 #include <glm/gtc/packing.hpp>
 #include <gtest/gtest.h>
@@ -152,5 +154,27 @@ private:
   std::vector<Dispatched> dispatched_;
   uint64_t frame_ = 0;
 };
+
+/// A bench for each test, on which nothing may complain.
+class ResolveBenchTest : public testing::Test {
+protected:
+  void TearDown() override {
+    for (const std::string& message : bench.messages()) ADD_FAILURE() << message;
+  }
+  ResolveBench bench;
+};
+
+/// Numbers that a frame may hold, the extreme ones among them.
+inline float any_number(std::mt19937& random, bool extreme) {
+  static constexpr float limit = 65504, infinite = std::numeric_limits<float>::infinity();
+  static constexpr float odd[] = {0, 1e-7f, 6e-5f, 1, limit, infinite, -infinite, -1, NAN};
+  if (extreme && random() % 8 == 0) return odd[random() % std::size(odd)];
+  return std::exp2(float(random() % 2000) / 200 - 7);
+}
+
+/// What a half float holds of it.
+inline glm::dvec3 half(glm::vec3 c) {
+  return glm::dvec3(glm::vec3(glm::unpackHalf4x16(glm::packHalf4x16(glm::vec4(c, 1)))));
+}
 
 } // namespace unghost

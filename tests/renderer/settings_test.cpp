@@ -130,7 +130,7 @@ TEST(Settings, CombinationsThatMakeNoSenseAreRefused) {
   EXPECT_NE(refusal(settings).value_or("").find("less than far"), std::string::npos);
   settings = settings_for_mode("dop16-opt");
   settings.taa.policy.space = Space::ycocg;
-  EXPECT_NE(refusal(settings).value_or("").find("were found in RGB"), std::string::npos);
+  EXPECT_NE(refusal(settings).value_or("").find("were found for linear RGB"), std::string::npos);
   settings = settings_for_mode("ac4");
   settings.taa.policy.blend = Blend::counting;
   EXPECT_NE(refusal(settings).value_or("").find("keeps=input"), std::string::npos);

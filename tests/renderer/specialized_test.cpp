@@ -10,7 +10,7 @@
 namespace unghost {
 namespace {
 
-class Pipelines : public testing::Test {
+class Pipelines : public ResolveBenchTest {
 protected:
   /// What each of the runs is specialized to in a frame that has a history.
   std::vector<Specialized> specialize(const std::vector<ModeRun>& runs, bool first_frame = false) {
@@ -21,7 +21,6 @@ protected:
       results.push_back(contents_of(bench.shader_file(pass.shader), pass.constants));
     return results;
   }
-  ResolveBench bench;
 };
 
 std::vector<ModeRun> rows_with_history() {

@@ -8,6 +8,7 @@
 
 #include "app/commands.h"
 #include "app/paths.h"
+#include "app/table.h"
 #include "renderer/spelling.h"
 
 namespace unghost {
@@ -64,6 +65,31 @@ void add_frames_out(CLI::App& app, CommandLine& line) {
                  "Write lit colour, depth, motion, tag and resolved as EXR to this folder");
 }
 
+/// A number, finite and in its range: the library lets `nan` through.
+CLI::Option* add_number(CLI::App& app, const char* name, std::optional<double>& to, double low, double high,
+                        const std::string& help) {
+  return app.add_option(name, to, help)->check([low, high](const std::string& text) {
+    double value = 0;
+    const char* end = text.data() + text.size();
+    const auto [rest, error] = std::from_chars(text.data(), end, value);
+    const bool good = error == std::errc{} && rest == end && value >= low && value <= high;
+    return good ? "" : "it is a number from " + fixed(low, 0) + " to " + fixed(high, 0);
+  });
+}
+
+void add_flip(CLI::App& app, FlipWords& flip) {
+  app.add_option("REFERENCE", flip.reference, "PNG, OpenEXR or Radiance HDR; alpha is left out");
+  app.add_option("TEST", flip.test, "Of the same size");
+  add_number(app, "--ppd", flip.ppd, 1, 1000,
+             "Pixels per degree of the viewer's eye (default 67.02: 0.7 m from 3840 pixels on 0.7 m)");
+  add_number(app, "--first-exposure", flip.first_exposure, -60, 60, "HDR: in stops (default found)");
+  add_number(app, "--last-exposure", flip.last_exposure, -60, 60, "HDR: in stops (default found)");
+  app.add_option("--exposures", flip.exposures, "HDR: so many (default one a stop)")
+      ->check(CLI::Range(2u, most_exposures));
+  app.add_option("--tone-mapper", flip.tone_mapper, "HDR: aces (the default), hable or reinhard")
+      ->check(CLI::IsMember({"aces", "hable", "reinhard"}));
+}
+
 void add_options(CLI::App& app, const CommandRow& row, CommandLine& line) {
   if (row.options & drawing) add_drawing(app, line, (row.options & timed) == 0);
   if (row.options & device) add_device(app, line);
@@ -89,6 +115,7 @@ void add_options(CLI::App& app, const CommandRow& row, CommandLine& line) {
     app.add_flag("--of-scene,!--no-of-scene", line.of_scene,
                  "For the scene's own aliased frames; else around the unit sphere, with X, Y and Z kept");
   }
+  if (row.options & two_pictures) add_flip(app, line.flip);
   if (row.options & figures)
     app.add_option("--what", line.what, "Which figures: trail")
         ->delimiter(',')

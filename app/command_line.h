@@ -22,6 +22,15 @@ struct PictureSize {
   uint32_t width = FrameInput{}.width, height = FrameInput{}.height;
 };
 
+/// What `flip` is told.
+struct FlipWords {
+  std::optional<std::string> reference, test;
+  std::optional<double> ppd, first_exposure, last_exposure;
+  std::optional<uint32_t> exposures;
+  std::string tone_mapper = "aces";
+};
+constexpr uint32_t most_exposures = 100;
+
 /// What was given; what was not is empty, and gets its default from the command.
 struct CommandLine {
   const CommandRow* command = nullptr;
@@ -38,6 +47,7 @@ struct CommandLine {
   bool validate = false, timings = false, json = false, quiet = false, verbose = false, of_scene = false;
   std::string output; // `-`: standard output
   std::filesystem::path sequence, buffers;
+  FlipWords flip;
 };
 
 /// The words were wrong; `what()` says which, and the nearest known one.

@@ -11,6 +11,8 @@ std::span<const CommandRow> commands() {
       {"measure", "Say in figures how much each mode ghosts", drawing | many_modes | figures, measure},
       {"bench", "Say in milliseconds and ratios what each mode adds to a frame", drawing | many_modes | timed,
        bench},
+      {"flip", "Say how different two pictures look (FLIP), and draw where", two_pictures | picture,
+       flip_command},
       {"axes", "Find axes of polytopes that fit tightly around colours", drawing | axis_search, axes},
       {"modes", "List the temporal resolves", 0, list_modes},
       {"rigs", "List the ways in which camera and vehicle move", 0, list_rigs},

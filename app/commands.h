@@ -29,6 +29,7 @@ enum CommandOptions : unsigned {
   device = 128,
   timed = 256, // rounds
   axis_search = 512,
+  two_pictures = 1024,
 };
 
 struct CommandRow {
@@ -43,6 +44,7 @@ void capture(const CommandLine& line, Console& console);
 void compare(const CommandLine& line, Console& console);
 void measure(const CommandLine& line, Console& console);
 void axes(const CommandLine& line, Console& console);
+void flip_command(const CommandLine& line, Console& console);
 void bench(const CommandLine& line, Console& console);
 void list_modes(const CommandLine& line, Console& console);
 void list_rigs(const CommandLine& line, Console& console);

@@ -1,0 +1,99 @@
+// `unghost flip`: how different two pictures look.
+#include <algorithm>
+#include <cmath>
+
+#include <nlohmann/json.hpp>
+
+#include "app/commands.h"
+#include "app/exr_file.h"
+#include "app/failure.h"
+#include "app/measure/flip.h"
+#include "app/measure/magma.h"
+#include "app/picture_input.h"
+#include "app/picture_output.h"
+#include "app/png_file.h"
+#include "app/table.h"
+
+namespace unghost {
+namespace {
+
+ToneMapper tone_mapper_of(const std::string& name) {
+  return name == "hable" ? ToneMapper::hable : name == "reinhard" ? ToneMapper::reinhard : ToneMapper::aces;
+}
+
+struct Compared {
+  FloatImage error;
+  nlohmann::json facts; // beyond those of every comparison
+};
+
+Compared compare_hdr(const CommandLine& line, const FloatImage& reference, const FloatImage& test,
+                     const FlipOptions& options) {
+  const std::string name = line.flip.tone_mapper;
+  Exposures exposures = exposures_of(reference, tone_mapper_of(name));
+  if (line.flip.first_exposure) exposures.first = *line.flip.first_exposure;
+  if (line.flip.last_exposure) exposures.last = *line.flip.last_exposure;
+  if (exposures.last < exposures.first) throw WrongWords("--last-exposure lies before --first-exposure");
+  exposures.count = line.flip.exposures.value_or(
+      std::clamp(uint32_t(std::ceil(exposures.last - exposures.first)), 2u, most_exposures));
+  return {hdr_flip(reference, test, exposures, tone_mapper_of(name), options).error,
+          {{"tone_mapper", name},
+           {"exposures", exposures.count},
+           {"first_exposure", exposures.first},
+           {"last_exposure", exposures.last}}};
+}
+
+Compared compare_pictures(const CommandLine& line, const LinearPicture& reference,
+                          const LinearPicture& test) {
+  const FlipOptions options{.pixels_per_degree = line.flip.ppd.value_or(FlipOptions{}.pixels_per_degree)};
+  if (reference.hdr) return compare_hdr(line, reference.image, test.image, options);
+  if (line.flip.first_exposure || line.flip.last_exposure || line.flip.exposures)
+    throw WrongWords("exposures are for OpenEXR and Radiance HDR pictures");
+  return {flip(reference.image, test.image, options), nlohmann::json::object()};
+}
+
+void check_alike(const CommandLine& line, const LinearPicture& a, const LinearPicture& b) {
+  const auto size = [](const FloatImage& image) {
+    return std::to_string(image.width) + "x" + std::to_string(image.height);
+  };
+  if (a.image.width != b.image.width || a.image.height != b.image.height)
+    throw Failure(Exit::input_refused, *line.flip.reference + " is " + size(a.image) + " and " +
+                                           *line.flip.test + " is " + size(b.image) +
+                                           ": pictures of one size can be compared");
+  if (a.hdr != b.hdr)
+    throw Failure(Exit::input_refused,
+                  (a.hdr ? *line.flip.test : *line.flip.reference) +
+                      " is what a screen shows, and the other one is not: tone-map it first");
+}
+
+} // namespace
+
+void flip_command(const CommandLine& line, Console& console) {
+  if (!line.flip.reference || !line.flip.test)
+    throw WrongWords("flip wants two pictures: unghost flip REFERENCE TEST");
+  std::unique_ptr<PictureOutput> output;
+  if (!line.output.empty()) output = std::make_unique<PictureOutput>(line, console);
+  const LinearPicture reference = read_picture(*line.flip.reference), test = read_picture(*line.flip.test);
+  check_alike(line, reference, test);
+  const Compared compared = compare_pictures(line, reference, test);
+  const FlipSummary s = summary_of(compared.error.values);
+  nlohmann::json object = compared.facts;
+  object.update({{"mean", s.mean},
+                 {"min", s.min},
+                 {"max", s.max},
+                 {"weighted_first_quartile", s.weighted_first_quartile},
+                 {"weighted_median", s.weighted_median},
+                 {"weighted_third_quartile", s.weighted_third_quartile},
+                 {"ppd", line.flip.ppd.value_or(FlipOptions{}.pixels_per_degree)},
+                 {"width", compared.error.width},
+                 {"height", compared.error.height}});
+  if (output != nullptr)
+    output->write(output->is_exr() ? encode_exr({{"Y", &compared.error, 0}}, object.dump())
+                                   : encode_png(magma(compared.error), object.dump()));
+  if (output != nullptr && line.output == "-") return;
+  Table table{{"mean", "min", "max", "first quartile", "median", "third quartile"}};
+  table.add({fixed(s.mean, 6), fixed(s.min, 6), fixed(s.max, 6), fixed(s.weighted_first_quartile, 6),
+             fixed(s.weighted_median, 6), fixed(s.weighted_third_quartile, 6)});
+  console.out << (line.json ? object.dump(2) + "\n" : table.text());
+}
+
+} // namespace unghost

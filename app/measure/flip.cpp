@@ -1,0 +1,163 @@
+#include "app/measure/flip.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <thread>
+
+#include "app/measure/flip_kernel.h"
+
+namespace unghost {
+namespace {
+
+/// Bands of rows, a thread each; the last one here.
+template <class Work> void in_bands(size_t rows, unsigned threads, const Work& work) {
+  if (threads == 0) threads = std::max(1u, std::thread::hardware_concurrency());
+  const size_t bands = std::clamp<size_t>(rows / 16, 1, threads);
+  std::vector<std::jthread> others;
+  for (size_t band = 0; band + 1 < bands; ++band)
+    others.emplace_back([&work, band, bands, rows] { work(rows * band / bands, rows * (band + 1) / bands); });
+  work(rows * (bands - 1) / bands, rows);
+}
+
+OpponentPlanes opponent_of(const FloatImage& linear, unsigned threads) {
+  OpponentPlanes planes{.width = linear.width, .height = linear.height, .planes = {}};
+  for (std::vector<float>& plane : planes.planes) plane.resize(size_t(linear.width) * linear.height);
+  in_bands(linear.height, threads, [&](size_t first, size_t last) {
+    opponent_from_linear(linear.values.data(), first * linear.width, (last - first) * linear.width, planes);
+  });
+  return planes;
+}
+
+/// (k0 x^2 + k1 x + k2) / (k3 x^2 + k4 x + k5); the flip program's.
+std::array<double, 6> curve_of(ToneMapper mapper) {
+  switch (mapper) {
+  case ToneMapper::hable:
+    return {0.231683, 0.013791, 0, 0.18, 0.3, 0.018};
+  case ToneMapper::reinhard:
+    return {0, 1, 0, 0, 1, 1};
+  case ToneMapper::aces:
+    break;
+  }
+  return {0.36 * 2.51, 0.6 * 0.03, 0, 0.36 * 2.43, 0.6 * 0.59, 0.14};
+}
+
+/// What the curve maps to 0.85: the larger one.
+double brightest(ToneMapper mapper) {
+  const auto k = curve_of(mapper);
+  const double t = 0.85, a = k[0] - t * k[3], b = k[1] - t * k[4], c = k[2] - t * k[5];
+  if (a == 0) return -c / b;
+  const double root = std::sqrt(b * b - 4 * a * c);
+  return std::max((-b + root) / (2 * a), (-b - root) / (2 * a));
+}
+
+float luminance(const float* c) { return 0.2126f * c[0] + 0.7152f * c[1] + 0.0722f * c[2]; }
+
+FloatImage tone_mapped(const FloatImage& linear, double stops, ToneMapper mapper, unsigned threads) {
+  FloatImage out = linear;
+  const auto kd = curve_of(mapper);
+  std::array<float, 6> k;
+  std::ranges::copy(kd, k.begin());
+  const auto scale = float(std::exp2(stops));
+  in_bands(linear.height, threads, [&](size_t first, size_t last) {
+    for (size_t i = first * linear.width; i < last * linear.width; ++i) {
+      float* c = &out.values[3 * i];
+      for (int channel = 0; channel < 3; ++channel) c[channel] *= scale;
+      const float whole = 1 / (1 + luminance(c));
+      for (int channel = 0; channel < 3; ++channel) {
+        const float x = c[channel];
+        c[channel] = mapper == ToneMapper::reinhard
+                         ? x * whole
+                         : ((k[0] * x + k[1]) * x + k[2]) / ((k[3] * x + k[4]) * x + k[5]);
+      }
+    }
+  });
+  return out;
+}
+
+} // namespace
+
+double pixels_per_degree(double distance_m, double monitor_px, double monitor_m) {
+  return distance_m * (monitor_px / monitor_m) * std::numbers::pi / 180;
+}
+
+FloatImage linear_from_srgb(const Image& picture) {
+  std::array<float, 256> linear;
+  for (size_t i = 0; i < 256; ++i) {
+    const double c = double(i) / 255;
+    linear[i] = float(c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4));
+  }
+  FloatImage out{.width = picture.width, .height = picture.height, .channels = 3, .values = {}};
+  out.values.reserve(size_t(picture.width) * picture.height * 3);
+  for (size_t i = 0; i < size_t(picture.width) * picture.height; ++i)
+    for (size_t channel = 0; channel < 3; ++channel)
+      out.values.push_back(linear[picture.rgba[4 * i + channel]]);
+  return out;
+}
+
+FloatImage flip(const FloatImage& reference, const FloatImage& test, const FlipOptions& options) {
+  const FlipFilters filters(options.pixels_per_degree);
+  const OpponentPlanes a = opponent_of(reference, options.threads), b = opponent_of(test, options.threads);
+  FloatImage error{.width = reference.width, .height = reference.height, .channels = 1, .values = {}};
+  error.values.resize(size_t(reference.width) * reference.height);
+  in_bands(reference.height, options.threads,
+           [&](size_t first, size_t last) { flip_rows(a, b, filters, first, last, error.values.data()); });
+  return error;
+}
+
+Exposures exposures_of(const FloatImage& reference, ToneMapper mapper) {
+  std::vector<float> all;
+  for (size_t i = 0; i < reference.values.size(); i += 3) all.push_back(luminance(&reference.values[i]));
+  const float most = *std::ranges::max_element(all);
+  if (!(most > 0)) return {};
+  const auto median_of = [](std::vector<float>& values) {
+    const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
+    std::ranges::nth_element(values, middle);
+    return *middle;
+  };
+  float median = median_of(all);
+  if (!(median > 0)) {
+    std::erase_if(all, [](float value) { return !(value > 0); });
+    median = median_of(all);
+  }
+  const double white = brightest(mapper), first = std::log2(white / most), last = std::log2(white / median);
+  return {.first = first, .last = last, .count = uint32_t(std::max(2.0, std::ceil(last - first)))};
+}
+
+HdrFlip hdr_flip(const FloatImage& reference, const FloatImage& test, const Exposures& exposures,
+                 ToneMapper mapper, const FlipOptions& options) {
+  HdrFlip worst{.error = {reference.width, reference.height, 1, {}},
+                .exposure = {reference.width, reference.height, 1, {}}};
+  worst.error.values.resize(size_t(reference.width) * reference.height);
+  worst.exposure.values.resize(worst.error.values.size());
+  for (uint32_t i = 0; i < exposures.count; ++i) {
+    const double share = exposures.count > 1 ? double(i) / (exposures.count - 1) : 0;
+    const double stops = exposures.first + share * (exposures.last - exposures.first);
+    const FloatImage error = flip(tone_mapped(reference, stops, mapper, options.threads),
+                                  tone_mapped(test, stops, mapper, options.threads), options);
+    for (size_t pixel = 0; pixel < error.values.size(); ++pixel)
+      if (error.values[pixel] > worst.error.values[pixel])
+        worst.error.values[pixel] = error.values[pixel], worst.exposure.values[pixel] = float(share);
+  }
+  return worst;
+}
+
+FlipSummary summary_of(std::span<const float> errors) {
+  std::vector<float> sorted(errors.begin(), errors.end());
+  std::ranges::sort(sorted);
+  double total = 0;
+  for (const float error : sorted) total += error;
+  double below = 0;
+  size_t at = 0;
+  const auto weighted_quantile = [&](double share) { // ask for rising shares
+    while (at + 1 < sorted.size() && below + sorted[at] < share * total) below += sorted[at++];
+    return double(sorted[at]);
+  };
+  FlipSummary s{.mean = total / double(sorted.size()), .min = sorted.front(), .max = sorted.back()};
+  s.weighted_first_quartile = weighted_quantile(0.25);
+  s.weighted_median = weighted_quantile(0.5);
+  s.weighted_third_quartile = weighted_quantile(0.75);
+  return s;
+}
+
+} // namespace unghost

@@ -1,0 +1,54 @@
+// FLIP: how different two pictures look to somebody who flips between them (Andersson et al. 2020, "FLIP: A
+// Difference Evaluator for Alternating Images"; for HDR, Andersson et al. 2021). As NVIDIA's own program,
+// version 1.6, to 1e-4 of a mean and 1e-3 of a pixel. The same pictures give the same bits, with whatever
+// vectors and however many threads.
+#pragma once
+
+#include <span>
+
+#include "renderer/frame_input.h"
+
+namespace unghost {
+
+/// Of a monitor `monitor_m` wide with `monitor_px` across, seen from `distance_m`.
+double pixels_per_degree(double distance_m, double monitor_px, double monitor_m);
+
+struct FlipOptions {
+  double pixels_per_degree = 67.0206432765; // 0.7 m from a monitor of 0.7 m with 3840 pixels
+  unsigned threads = 0;                     // 0: as many as there are cores
+};
+
+/// 8-bit sRGB as linear RGB; alpha is left out.
+FloatImage linear_from_srgb(const Image& picture);
+
+/// The error of each pixel, 0 to 1: one channel. Both are linear RGB as a screen shows it (what is beyond 0
+/// to 1 is clamped) and of one size.
+FloatImage flip(const FloatImage& reference, const FloatImage& test, const FlipOptions& options = {});
+
+enum class ToneMapper { aces, hable, reinhard };
+/// In stops; the first and the last are taken, too.
+struct Exposures {
+  double first = 0, last = 0;
+  uint32_t count = 2;
+};
+/// From the brightest pixel just below white to the median as bright as that. A reference whose median is
+/// black (which has no last exposure) is taken by the median of what is not black; one that is all black at
+/// 0.
+Exposures exposures_of(const FloatImage& reference, ToneMapper mapper);
+
+struct HdrFlip {
+  FloatImage error;    // the worst of all exposures
+  FloatImage exposure; // which it was, 0 (first) to 1 (last)
+};
+/// Both are linear and of one size, without bounds.
+HdrFlip hdr_flip(const FloatImage& reference, const FloatImage& test, const Exposures& exposures,
+                 ToneMapper mapper, const FlipOptions& options = {});
+
+/// Of all errors; the weighted quantiles count each error as much as it is large.
+struct FlipSummary {
+  double mean = 0, min = 0, max = 0, weighted_first_quartile = 0, weighted_median = 0,
+         weighted_third_quartile = 0;
+};
+FlipSummary summary_of(std::span<const float> errors);
+
+} // namespace unghost

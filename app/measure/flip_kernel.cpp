@@ -1,0 +1,249 @@
+#include "app/measure/flip_kernel.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+
+// Written once, compiled twice: processors with AVX2 take vectors of eight. Nothing is fused or reordered, so
+// that both give the same bits.
+#define UNGHOST_INLINE inline __attribute__((always_inline))
+
+namespace unghost {
+namespace {
+
+/// To 2e-7 of itself, for finite positive numbers that are not denormal.
+UNGHOST_INLINE float logarithm_2(float x) {
+  const auto bits = std::bit_cast<int32_t>(x);
+  const int32_t exponent = (bits - 0x3f3504f3) >> 23; // so that the rest lies around 1
+  const float rest = std::bit_cast<float>(bits - (exponent << 23));
+  const float s = (rest - 1) / (rest + 1), q = s * s;
+  const float series = 1 + q * (1.f / 3 + q * (1.f / 5 + q * (1.f / 7 + q * (1.f / 9))));
+  return float(exponent) + 2.88539008f * s * series;
+}
+
+/// To 2e-7 of itself, for -120 to 120.
+UNGHOST_INLINE float power_of_2(float x) {
+  const float shifted = x + 12582912.f; // rounds: 1.5 * 2^23
+  const int32_t whole = std::bit_cast<int32_t>(shifted) - 0x4b400000;
+  const float f = (x - (shifted - 12582912.f)) * 0.693147181f;
+  const float series =
+      1 + f * (1 + f * (1.f / 2 + f * (1.f / 6 + f * (1.f / 24 + f * (1.f / 120 + f * (1.f / 720))))));
+  return std::bit_cast<float>(std::bit_cast<int32_t>(series) + (whole << 23));
+}
+
+/// x to the power p; 0 where x is nearly 0.
+UNGHOST_INLINE float power(float x, float p) {
+  const float safe = x > 1e-20f ? x : 1e-20f;
+  const float exponent = p * logarithm_2(safe);
+  const float result = power_of_2(exponent > -120 ? exponent : -120);
+  return x > 1e-20f ? result : 0;
+}
+
+UNGHOST_INLINE float clamped(float x) { return x < 0 ? 0 : (x > 1 ? 1 : x); }
+
+// Linear sRGB and XYZ over the white of D65.
+constexpr float white_x = 0.950428545f, white_z = 1.088900371f;
+constexpr float xr = float(10135552.0 / 24577794 / 0.950428545),
+                xg = float(8788810.0 / 24577794 / 0.950428545),
+                xb = float(4435075.0 / 24577794 / 0.950428545), yr = float(2613072.0 / 12288897),
+                yg = float(8788810.0 / 12288897), yb = float(887015.0 / 12288897),
+                zr = float(1425312.0 / 73733382 / 1.088900371),
+                zg = float(8788810.0 / 73733382 / 1.088900371),
+                zb = float(70074185.0 / 73733382 / 1.088900371);
+
+UNGHOST_INLINE float lab_root(float t) {
+  constexpr float delta = 6.f / 29;
+  const float linear = t / (3 * delta * delta) + 4.f / 29;
+  return t > delta * delta * delta ? power(t, 1.f / 3) : linear;
+}
+
+/// CIELab after Hunt's effect: colours weigh less where it is dark.
+struct Lab {
+  float l, a, b;
+};
+UNGHOST_INLINE Lab hunted(float x, float y, float z) {
+  const float fx = lab_root(x), fy = lab_root(y), fz = lab_root(z), l = 116 * fy - 16;
+  return {l, 0.01f * l * (500 * (fx - fy)), 0.01f * l * (200 * (fy - fz))};
+}
+UNGHOST_INLINE Lab hunted_linear(float r, float g, float b) {
+  return hunted(xr * r + xg * g + xb * b, yr * r + yg * g + yb * b, zr * r + zg * g + zb * b);
+}
+/// From filtered opponent colours, which may lie outside of what a screen shows.
+UNGHOST_INLINE Lab hunted_opponent(float yy, float cx, float cz) {
+  const float y = (yy + 16) * (1.f / 116), x = (y + cx * (1.f / 500)) * white_x,
+              z = (y - cz * (1.f / 200)) * white_z;
+  return hunted_linear(clamped(3.241003275f * x - 1.537398934f * y - 0.498615861f * z),
+                       clamped(-0.969224334f * x + 1.875930071f * y + 0.041554224f * z),
+                       clamped(0.055639423f * x - 0.204011202f * y + 1.057148933f * z));
+}
+UNGHOST_INLINE float distance(Lab p, Lab q) {
+  const float l = p.l - q.l, a = p.a - q.a, b = p.b - q.b;
+  return power((l < 0 ? -l : l) + std::sqrt(a * a + b * b), 0.7f);
+}
+
+/// Sixteen pixels at a time stay in registers.
+constexpr size_t block = 16;
+
+/// Row buffers of one picture; those with ends to both sides are filtered along the row next.
+struct Rows {
+  Rows(size_t picture_width, size_t reach)
+      : pad(reach), filled(picture_width), width(std::max(picture_width, block)) {
+    for (auto* row : {&yy, &cx, &cz, &cz_wide, &g, &edge, &point}) row->resize(width + 2 * pad);
+    for (auto* row : {&l, &a, &b, &edge_length, &point_length}) row->resize(width);
+  }
+  size_t pad, filled, width;
+  std::vector<float> yy, cx, cz, cz_wide, g, edge, point; // filtered down the columns
+  std::vector<float> l, a, b, edge_length, point_length;
+};
+
+/// The rows that filters at row y see, the edge going on.
+struct Column {
+  const float* plane;
+  size_t width, height, y;
+  const float* up(size_t i) const { return plane + (i > y ? 0 : y - i) * width; }
+  const float* down(size_t i) const { return plane + std::min(y + i, height - 1) * width; }
+};
+
+UNGHOST_INLINE void filter_down(const Column& from, const HalfFilter& half, float* __restrict to) {
+  const float* middle = from.up(0);
+  for (size_t x = 0; x < from.width; ++x) to[x] = half[0] * middle[x];
+  for (size_t i = 1; i < half.size(); ++i) {
+    const float* __restrict up = from.up(i), * __restrict down = from.down(i);
+    const float weight = half[i];
+    for (size_t x = 0; x < from.width; ++x) to[x] += weight * (up[x] + down[x]);
+  }
+}
+
+UNGHOST_INLINE void filter_features_down(const Column& from, const FlipFilters& f, float* __restrict g,
+                                         float* __restrict edge, float* __restrict point) {
+  const float* middle = from.up(0);
+  for (size_t x = 0; x < from.width; ++x)
+    g[x] = f.gaussian[0] * middle[x], edge[x] = 0, point[x] = f.point[0] * middle[x];
+  for (size_t i = 1; i < f.gaussian.size(); ++i) {
+    const float* __restrict up = from.up(i), * __restrict down = from.down(i);
+    const float wg = f.gaussian[i], we = f.edge[i], wp = f.point[i];
+    for (size_t x = 0; x < from.width; ++x) {
+      const float both = up[x] + down[x];
+      g[x] += wg * both, point[x] += wp * both, edge[x] += we * (up[x] - down[x]);
+    }
+  }
+}
+
+inline void extend_ends(std::vector<float>& row, size_t pad, size_t filled) {
+  std::fill_n(row.begin(), pad, row[pad]);
+  std::fill(row.begin() + std::ptrdiff_t(pad + filled), row.end(), row[pad + filled - 1]);
+}
+
+UNGHOST_INLINE void along_block(const float* __restrict row, const HalfFilter& half, float* __restrict sum) {
+  for (size_t x = 0; x < block; ++x) sum[x] = half[0] * row[x];
+  for (size_t i = 1; i < half.size(); ++i)
+    for (size_t x = 0; x < block; ++x) sum[x] += half[i] * (row[x - i] + row[x + i]);
+}
+UNGHOST_INLINE void slope_along_block(const float* __restrict row, const HalfFilter& half,
+                                      float* __restrict sum) {
+  for (size_t x = 0; x < block; ++x) sum[x] = 0;
+  for (size_t i = 1; i < half.size(); ++i)
+    for (size_t x = 0; x < block; ++x) sum[x] += half[i] * (row[x - i] - row[x + i]);
+}
+
+UNGHOST_INLINE void colours_of_row(Rows& rows, const FlipFilters& f) {
+  for (size_t first = 0; first < rows.width; first += block) {
+    const size_t at = std::min(first, rows.width - block) + rows.pad, to = at - rows.pad;
+    float yy[block], cx[block], cz[block], wide[block];
+    along_block(&rows.yy[at], f.achromatic, yy);
+    along_block(&rows.cx[at], f.red_green, cx);
+    along_block(&rows.cz[at], f.blue_yellow, cz);
+    along_block(&rows.cz_wide[at], f.blue_yellow_wide, wide);
+    for (size_t x = 0; x < block; ++x) {
+      const Lab lab = hunted_opponent(yy[x], cx[x], cz[x] + wide[x]);
+      rows.l[to + x] = lab.l, rows.a[to + x] = lab.a, rows.b[to + x] = lab.b;
+    }
+  }
+}
+
+UNGHOST_INLINE void features_of_row(Rows& rows, const FlipFilters& f) {
+  for (size_t first = 0; first < rows.width; first += block) {
+    const size_t at = std::min(first, rows.width - block) + rows.pad, to = at - rows.pad;
+    float ex[block], ey[block], px[block], py[block];
+    slope_along_block(&rows.g[at], f.edge, ex);
+    along_block(&rows.edge[at], f.gaussian, ey);
+    along_block(&rows.g[at], f.point, px);
+    along_block(&rows.point[at], f.gaussian, py);
+    for (size_t x = 0; x < block; ++x) {
+      rows.edge_length[to + x] = std::sqrt(ex[x] * ex[x] + ey[x] * ey[x]);
+      rows.point_length[to + x] = std::sqrt(px[x] * px[x] + py[x] * py[x]);
+    }
+  }
+}
+
+UNGHOST_INLINE void filter_row(const OpponentPlanes& picture, const FlipFilters& f, size_t y, Rows& rows) {
+  const auto column = [&](size_t plane) {
+    return Column{picture.planes[plane].data(), picture.width, picture.height, y};
+  };
+  const size_t pad = rows.pad;
+  filter_down(column(0), f.achromatic, &rows.yy[pad]);
+  filter_down(column(1), f.red_green, &rows.cx[pad]);
+  filter_down(column(2), f.blue_yellow, &rows.cz[pad]);
+  filter_down(column(2), f.blue_yellow_wide, &rows.cz_wide[pad]);
+  filter_features_down(column(0), f, &rows.g[pad], &rows.edge[pad], &rows.point[pad]);
+  for (auto* row : {&rows.yy, &rows.cx, &rows.cz, &rows.cz_wide, &rows.g, &rows.edge, &rows.point})
+    extend_ends(*row, pad, rows.filled);
+  colours_of_row(rows, f);
+  features_of_row(rows, f);
+}
+
+UNGHOST_INLINE void errors_of_row(const Rows& r, const Rows& t, size_t width, float* __restrict errors) {
+  const float most = distance(hunted_linear(0, 1, 0), hunted_linear(0, 0, 1)), knee = 0.4f * most;
+  for (size_t x = 0; x < width; ++x) {
+    const float far = distance({r.l[x], r.a[x], r.b[x]}, {t.l[x], t.a[x], t.b[x]});
+    const float above = 0.95f + (far - knee) / (most - knee) * 0.05f;
+    const float colour = far < knee ? 0.95f / knee * far : above;
+    const float edge =
+        std::abs(r.edge_length[x] - t.edge_length[x]) * (1.f / 116); // of lightness over its range
+    const float point = std::abs(r.point_length[x] - t.point_length[x]) * (1.f / 116);
+    const float feature = std::sqrt((edge > point ? edge : point) * 0.707106781f);
+    errors[x] = power(colour, 1 - feature);
+  }
+}
+
+UNGHOST_INLINE void rows_between(const OpponentPlanes& reference, const OpponentPlanes& test,
+                                 const FlipFilters& f, size_t first, size_t last, float* errors) {
+  Rows of_reference(reference.width, f.reach), of_test(test.width, f.reach);
+  for (size_t y = first; y < last; ++y) {
+    filter_row(reference, f, y, of_reference);
+    filter_row(test, f, y, of_test);
+    errors_of_row(of_reference, of_test, reference.width, errors + y * reference.width);
+  }
+}
+
+#if defined(__x86_64__)
+__attribute__((target("avx2"))) void rows_between_avx2(const OpponentPlanes& reference,
+                                                       const OpponentPlanes& test, const FlipFilters& f,
+                                                       size_t first, size_t last, float* errors) {
+  rows_between(reference, test, f, first, last, errors);
+}
+const bool wide_vectors = __builtin_cpu_supports("avx2");
+#endif
+
+} // namespace
+
+void opponent_from_linear(const float* rgb, size_t first, size_t count, OpponentPlanes& planes) {
+  for (size_t i = first; i < first + count; ++i) {
+    const float r = clamped(rgb[3 * i]), g = clamped(rgb[3 * i + 1]), b = clamped(rgb[3 * i + 2]);
+    const float x = xr * r + xg * g + xb * b, y = yr * r + yg * g + yb * b, z = zr * r + zg * g + zb * b;
+    planes.planes[0][i] = 116 * y - 16;
+    planes.planes[1][i] = 500 * (x - y);
+    planes.planes[2][i] = 200 * (y - z);
+  }
+}
+
+void flip_rows(const OpponentPlanes& reference, const OpponentPlanes& test, const FlipFilters& filters,
+               size_t first, size_t last, float* errors) {
+#if defined(__x86_64__)
+  if (wide_vectors) return rows_between_avx2(reference, test, filters, first, last, errors);
+#endif
+  rows_between(reference, test, filters, first, last, errors);
+}
+
+} // namespace unghost

@@ -1,0 +1,171 @@
+// FLIP against what its authors' own program says: of pictures that are easily made again, and of all pairs
+// in the folder that UNGHOST_FLIP names.
+#include "app/measure/flip.h"
+
+#include <cmath>
+#include <cstdlib>
+#include <cstring>
+#include <fstream>
+#include <random>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "app/files.h"
+#include "app/measure/magma.h"
+#include "app/picture_input.h"
+#include "app/png_file.h"
+#include "tests/app/outcome.h"
+#include "tests/app/scratch_folder.h"
+
+namespace unghost {
+namespace {
+
+Image picture_of(uint32_t width, uint32_t height, glm::u8vec3 colour) {
+  Image picture{.name = {}, .width = width, .height = height, .rgba = {}};
+  for (size_t i = 0; i < size_t(width) * height; ++i)
+    picture.rgba.insert(picture.rgba.end(), {colour.x, colour.y, colour.z, 255});
+  return picture;
+}
+
+FloatImage flat(uint32_t width, uint32_t height, glm::u8vec3 colour) {
+  return linear_from_srgb(picture_of(width, height, colour));
+}
+
+FloatImage noise(uint32_t width, uint32_t height, uint32_t seed) {
+  std::mt19937 random(seed);
+  FloatImage image{width, height, 3, std::vector<float>(size_t(width) * height * 3)};
+  for (float& value : image.values) value = float(random() % 1024) / 1023;
+  return image;
+}
+
+// Version 1.6's means for these pictures.
+TEST(Flip, FlatPicturesAreAsFarApartAsTheAuthorsSay) {
+  const auto mean = [](uint32_t width, uint32_t height, glm::u8vec3 a, glm::u8vec3 b) {
+    return summary_of(flip(flat(width, height, a), flat(width, height, b)).values).mean;
+  };
+  EXPECT_NEAR(mean(64, 64, {128, 128, 128}, {138, 138, 138}), 0.14901033, 1e-4);
+  EXPECT_NEAR(mean(40, 40, {0, 0, 0}, {255, 255, 255}), 0.967388332, 1e-4);
+  EXPECT_NEAR(mean(1, 1, {255, 0, 0}, {0, 255, 0}), 0.986665, 1e-4);
+}
+
+TEST(Flip, OfAPictureAndItselfIsExactlyNothing) {
+  const FloatImage image = noise(37, 21, 1);
+  for (const float error : flip(image, image).values) EXPECT_EQ(error, 0);
+}
+
+TEST(Flip, IsTheSameBothWaysAndWithAnyNumberOfThreads) {
+  const FloatImage a = noise(53, 71, 1), b = noise(53, 71, 2);
+  const std::vector<float> errors = flip(a, b, {.threads = 1}).values;
+  EXPECT_EQ(flip(a, b, {.threads = 3}).values, errors);
+  EXPECT_EQ(flip(b, a, {.threads = 1}).values, errors);
+  for (const float error : errors) EXPECT_TRUE(error >= 0 && error <= 1);
+}
+
+// What lies far away is nothing to an error, at any size and resolution.
+TEST(Flip, APixelsErrorStaysAroundIt) {
+  FloatImage a = flat(90, 50, {100, 100, 100}), b = a;
+  b.values[3 * (25 * 90 + 45)] = 1;
+  const FlipOptions options{.pixels_per_degree = 30};
+  const FloatImage error = flip(a, b, options);
+  EXPECT_GT(error.values[25 * 90 + 45], 0.1);
+  EXPECT_LT(error.values[25 * 90 + 10], 1e-6);
+  EXPECT_LT(error.values[5 * 90 + 45], 1e-6);
+}
+
+TEST(Flip, WeightedQuantilesCountWhatIsLarge) {
+  const FlipSummary s = summary_of(std::vector<float>{0, 0, 0, 0.25f, 0.25f, 0.5f});
+  EXPECT_DOUBLE_EQ(s.mean, 1.0 / 6);
+  EXPECT_EQ(s.weighted_first_quartile, 0.25);
+  EXPECT_EQ(s.weighted_median, 0.25);
+  EXPECT_EQ(s.weighted_third_quartile, 0.5);
+  EXPECT_EQ(s.max, 0.5);
+}
+
+TEST(Flip, ExposuresAreDefinedWhereTheMedianIsBlack) {
+  FloatImage image = flat(8, 8, {0, 0, 0});
+  EXPECT_EQ(exposures_of(image, ToneMapper::aces).count, 2u);
+  for (size_t i = 0; i < 9; ++i) image.values[i] = 4;
+  const Exposures found = exposures_of(image, ToneMapper::aces);
+  EXPECT_TRUE(std::isfinite(found.first) && std::isfinite(found.last));
+  EXPECT_NEAR(found.first, std::log2(2.11887 / 4), 1e-4);
+}
+
+TEST(Flip, TheCommandSaysFiguresAndDrawsAMap) {
+  const ScratchFolder folder;
+  const auto file = [&](const char* name) { return (folder.path / name).string(); };
+  write_file(file("a.png"), encode_png(picture_of(30, 20, {128, 128, 128}), "{}"));
+  write_file(file("b.png"), encode_png(picture_of(30, 20, {138, 138, 138}), "{}"));
+  write_file(file("c.png"), encode_png(picture_of(20, 30, {138, 138, 138}), "{}"));
+  const Outcome run = outcome({"flip", file("a.png"), file("b.png"), "-o", file("map.png"), "--json"});
+  ASSERT_EQ(run.exit, 0) << run.err;
+  const nlohmann::json object = nlohmann::json::parse(run.out);
+  EXPECT_NEAR(object.at("mean").get<double>(), 0.14901, 1e-4);
+  EXPECT_EQ(object.at("width"), 30);
+  EXPECT_EQ(read_picture(file("map.png")).image.width, 30u);
+  const Outcome sizes = outcome({"flip", file("a.png"), file("c.png")});
+  EXPECT_EQ(sizes.exit, 3);
+  EXPECT_NE(sizes.err.find("30x20"), std::string::npos) << sizes.err;
+  EXPECT_EQ(outcome({"flip", file("a.png")}).exit, 2);
+  EXPECT_EQ(outcome({"flip", file("a.png"), file("none.png")}).exit, 3);
+  EXPECT_EQ(outcome({"flip", file("a.png"), file("b.png"), "--ppd", "nan"}).exit, 2);
+  EXPECT_EQ(outcome({"flip", file("a.png"), file("b.png"), "--exposures", "4"}).exit, 2);
+}
+
+class FlipGroundTruth : public testing::Test {
+protected:
+  void SetUp() override {
+    const char* name = std::getenv("UNGHOST_FLIP");
+    if (name == nullptr) GTEST_SKIP() << "UNGHOST_FLIP does not name a folder of pairs with their errors";
+    folder = name;
+  }
+  FloatImage read(const nlohmann::json& name) const {
+    return read_picture(folder / name.get<std::string>()).image;
+  }
+  FloatImage error_of(const nlohmann::json& one) const {
+    const FloatImage reference = read(one.at("reference")), test = read(one.at("test"));
+    const FlipOptions options{.pixels_per_degree = one.at("ppd").get<double>()};
+    if (one.at("kind") == "LDR-FLIP") return flip(reference, test, options);
+    const std::string mapper = one.at("tonemapper").get<std::string>();
+    const ToneMapper tone = mapper == "hable"      ? ToneMapper::hable
+                            : mapper == "reinhard" ? ToneMapper::reinhard
+                                                   : ToneMapper::aces;
+    const Exposures given{one.at("start_exposure").get<double>(), one.at("stop_exposure").get<double>(),
+                          one.at("num_exposures").get<uint32_t>()};
+    const Exposures found = exposures_of(reference, tone);
+    const bool asked = one.at("name").get<std::string>().find("_-4_2_5") != std::string::npos;
+    if (!asked) {
+      EXPECT_NEAR(found.first, given.first, 1e-5);
+      EXPECT_NEAR(found.last, given.last, 1e-5);
+      EXPECT_EQ(found.count, given.count);
+    }
+    return hdr_flip(reference, test, given, tone, options).error;
+  }
+  std::filesystem::path folder;
+};
+
+TEST_F(FlipGroundTruth, EveryPairIsWithinItsTolerance) {
+  const auto cases = nlohmann::json::parse(std::ifstream(folder / "expected.json")).at("cases");
+  ASSERT_GT(cases.size(), 10u);
+  for (const nlohmann::json& one : cases) {
+    const std::string name = one.at("name").get<std::string>();
+    const std::vector<float> errors = error_of(one).values;
+    const std::vector<uint8_t> bytes =
+        read_file(folder / one.at("error_map_f32").get<std::string>(), 1 << 26);
+    ASSERT_EQ(bytes.size(), errors.size() * sizeof(float)) << name;
+    std::vector<float> expected(errors.size());
+    std::memcpy(expected.data(), bytes.data(), bytes.size());
+    double most = 0;
+    for (size_t i = 0; i < errors.size(); ++i)
+      most = std::max(most, double(std::abs(errors[i] - expected[i])));
+    EXPECT_LT(most, 1e-3) << name;
+    const FlipSummary s = summary_of(errors);
+    EXPECT_NEAR(s.mean, one.at("mean").get<double>(), 1e-4) << name;
+    EXPECT_NEAR(s.weighted_median, one.at("weighted_median").get<double>(), 1e-3) << name;
+    EXPECT_NEAR(s.weighted_first_quartile, one.at("weighted_q1").get<double>(), 1e-3) << name;
+    EXPECT_NEAR(s.weighted_third_quartile, one.at("weighted_q3").get<double>(), 1e-3) << name;
+  }
+}
+
+} // namespace
+} // namespace unghost

@@ -7,6 +7,7 @@
 #include <CLI/CLI.hpp>
 
 #include "app/commands.h"
+#include "app/measure/flip.h"
 #include "app/paths.h"
 #include "app/table.h"
 #include "renderer/spelling.h"
@@ -86,8 +87,10 @@ void add_flip(CLI::App& app, FlipWords& flip) {
   add_number(app, "--last-exposure", flip.last_exposure, -60, 60, "HDR: in stops (default found)");
   app.add_option("--exposures", flip.exposures, "HDR: so many (default one a stop)")
       ->check(CLI::Range(2u, most_exposures));
+  std::vector<std::string> mappers;
+  for (const auto& [name, mapper] : tone_mappers) mappers.emplace_back(name);
   app.add_option("--tone-mapper", flip.tone_mapper, "HDR: aces (the default), hable or reinhard")
-      ->check(CLI::IsMember({"aces", "hable", "reinhard"}));
+      ->check(CLI::IsMember(mappers));
 }
 
 void add_options(CLI::App& app, const CommandRow& row, CommandLine& line) {

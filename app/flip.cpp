@@ -18,7 +18,8 @@ namespace unghost {
 namespace {
 
 ToneMapper tone_mapper_of(const std::string& name) {
-  return name == "hable" ? ToneMapper::hable : name == "reinhard" ? ToneMapper::reinhard : ToneMapper::aces;
+  return std::ranges::find(tone_mappers, name, [](const auto& row) { return std::string_view(row.first); })
+      ->second;
 }
 
 struct Compared {
@@ -34,7 +35,7 @@ Compared compare_hdr(const CommandLine& line, const FloatImage& reference, const
   if (line.flip.last_exposure) exposures.last = *line.flip.last_exposure;
   if (exposures.last < exposures.first) throw WrongWords("--last-exposure lies before --first-exposure");
   exposures.count = line.flip.exposures.value_or(
-      std::clamp(uint32_t(std::ceil(exposures.last - exposures.first)), 2u, most_exposures));
+      std::min(exposures_between(exposures.first, exposures.last), most_exposures));
   return {hdr_flip(reference, test, exposures, tone_mapper_of(name), options).error,
           {{"tone_mapper", name},
            {"exposures", exposures.count},

@@ -228,8 +228,7 @@ FrameSetup describe_frame(const FrameInput& given, const Scene& scene, const Gpu
                   .shadow_version = version_of(before.shadows, map_place, objects, gpu, now),
                   .policy_changed = changes_of(before.policies, input.modes),
                   .tagged = tagged_range(input, gpu, objects),
-                  .timed = input.timed,
-                  .software = gpu.software};
+                  .timed = input.timed};
   list_draws(in, constants, gpu, objects);
 
   FrameSetup setup;

@@ -273,7 +273,7 @@ void main() {
     ivec2 pixel = first + ivec2(0, i);
     if (pixel.y > last.y) return;
     vec3 centre = s.centres[i + 1];
-    Resolve result = Resolve(centre, 1, 1, 0, 0, centre);
+    Resolve result = without_history(centre);
     if (has_history) {
       vec3 blurred = needs_blurred()
                          ? (s.blurred_rows[i] + 2 * s.blurred_rows[i + 1] + s.blurred_rows[i + 2]) / 16

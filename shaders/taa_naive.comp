@@ -108,7 +108,7 @@ void main() {
   Speaker speaker = speaker_of(pixel);
   if (!has_history) {
     vec3 centre = colour_at(pixel);
-    write_pixel(pixel, speaker, centre, Resolve(centre, 1, 1, 0, 0, centre));
+    write_pixel(pixel, speaker, centre, without_history(centre));
     return;
   }
   Neighbourhood n;

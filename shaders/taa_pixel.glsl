@@ -55,6 +55,8 @@ struct Resolve {
   vec3 history;     // as it was used
 };
 
+Resolve without_history(vec3 centre) { return Resolve(centre, 1, 1, 0, 0, centre); }
+
 /// What speaks for a pixel. Its depth and tag are 0 where no test asks for them.
 struct Speaker {
   ivec2 at;
@@ -146,7 +148,7 @@ float blend_weight(float count, float rectified) {
 
 /// `bounded` is the history in the working space after rectification, `moved` how far it was moved.
 Resolve resolve(Reprojected r, Rejection j, vec3 centre, vec3 blurred, vec3 bounded, float moved) {
-  Resolve result = Resolve(centre, 1, 1, 0, 0, centre);
+  Resolve result = without_history(centre);
   if (!usable(r)) {
     result.causes = reject_off_screen;
     return result;

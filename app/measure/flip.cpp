@@ -6,6 +6,7 @@
 #include <thread>
 
 #include "app/measure/flip_kernel.h"
+#include "app/measure/quantile.h"
 
 namespace unghost {
 namespace {
@@ -105,23 +106,22 @@ FloatImage flip(const FloatImage& reference, const FloatImage& test, const FlipO
   return error;
 }
 
+uint32_t exposures_between(double first, double last) {
+  return uint32_t(std::max(2.0, std::ceil(last - first)));
+}
+
 Exposures exposures_of(const FloatImage& reference, ToneMapper mapper) {
   std::vector<float> all;
   for (size_t i = 0; i < reference.values.size(); i += 3) all.push_back(luminance(&reference.values[i]));
   const float most = *std::ranges::max_element(all);
   if (!(most > 0)) return {};
-  const auto median_of = [](std::vector<float>& values) {
-    const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
-    std::ranges::nth_element(values, middle);
-    return *middle;
-  };
-  float median = median_of(all);
+  float median = quantile(all, 0.5);
   if (!(median > 0)) {
     std::erase_if(all, [](float value) { return !(value > 0); });
-    median = median_of(all);
+    median = quantile(all, 0.5);
   }
   const double white = brightest(mapper), first = std::log2(white / most), last = std::log2(white / median);
-  return {.first = first, .last = last, .count = uint32_t(std::max(2.0, std::ceil(last - first)))};
+  return {.first = first, .last = last, .count = exposures_between(first, last)};
 }
 
 HdrFlip hdr_flip(const FloatImage& reference, const FloatImage& test, const Exposures& exposures,

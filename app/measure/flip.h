@@ -5,6 +5,7 @@
 #pragma once
 
 #include <span>
+#include <utility>
 
 #include "renderer/frame_input.h"
 
@@ -26,6 +27,8 @@ FloatImage linear_from_srgb(const Image& picture);
 FloatImage flip(const FloatImage& reference, const FloatImage& test, const FlipOptions& options = {});
 
 enum class ToneMapper { aces, hable, reinhard };
+inline constexpr std::pair<const char*, ToneMapper> tone_mappers[] = {
+    {"aces", ToneMapper::aces}, {"hable", ToneMapper::hable}, {"reinhard", ToneMapper::reinhard}};
 /// In stops; the first and the last are taken, too.
 struct Exposures {
   double first = 0, last = 0;
@@ -35,6 +38,9 @@ struct Exposures {
 /// black (which has no last exposure) is taken by the median of what is not black; one that is all black at
 /// 0.
 Exposures exposures_of(const FloatImage& reference, ToneMapper mapper);
+
+/// One a stop, and two at least.
+uint32_t exposures_between(double first, double last);
 
 struct HdrFlip {
   FloatImage error;    // the worst of all exposures

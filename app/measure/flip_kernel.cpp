@@ -135,26 +135,22 @@ inline void extend_ends(std::vector<float>& row, size_t pad, size_t filled) {
   std::fill(row.begin() + std::ptrdiff_t(pad + filled), row.end(), row[pad + filled - 1]);
 }
 
+/// `mirror` is 1 for a symmetric filter, -1 for an antisymmetric one.
+template <int mirror>
 UNGHOST_INLINE void along_block(const float* __restrict row, const HalfFilter& half, float* __restrict sum) {
   for (size_t x = 0; x < block; ++x) sum[x] = half[0] * row[x];
   for (size_t i = 1; i < half.size(); ++i)
-    for (size_t x = 0; x < block; ++x) sum[x] += half[i] * (row[x - i] + row[x + i]);
-}
-UNGHOST_INLINE void slope_along_block(const float* __restrict row, const HalfFilter& half,
-                                      float* __restrict sum) {
-  for (size_t x = 0; x < block; ++x) sum[x] = 0;
-  for (size_t i = 1; i < half.size(); ++i)
-    for (size_t x = 0; x < block; ++x) sum[x] += half[i] * (row[x - i] - row[x + i]);
+    for (size_t x = 0; x < block; ++x) sum[x] += half[i] * (row[x - i] + float(mirror) * row[x + i]);
 }
 
 UNGHOST_INLINE void colours_of_row(Rows& rows, const FlipFilters& f) {
   for (size_t first = 0; first < rows.width; first += block) {
     const size_t at = std::min(first, rows.width - block) + rows.pad, to = at - rows.pad;
     float yy[block], cx[block], cz[block], wide[block];
-    along_block(&rows.yy[at], f.achromatic, yy);
-    along_block(&rows.cx[at], f.red_green, cx);
-    along_block(&rows.cz[at], f.blue_yellow, cz);
-    along_block(&rows.cz_wide[at], f.blue_yellow_wide, wide);
+    along_block<1>(&rows.yy[at], f.achromatic, yy);
+    along_block<1>(&rows.cx[at], f.red_green, cx);
+    along_block<1>(&rows.cz[at], f.blue_yellow, cz);
+    along_block<1>(&rows.cz_wide[at], f.blue_yellow_wide, wide);
     for (size_t x = 0; x < block; ++x) {
       const Lab lab = hunted_opponent(yy[x], cx[x], cz[x] + wide[x]);
       rows.l[to + x] = lab.l, rows.a[to + x] = lab.a, rows.b[to + x] = lab.b;
@@ -166,10 +162,10 @@ UNGHOST_INLINE void features_of_row(Rows& rows, const FlipFilters& f) {
   for (size_t first = 0; first < rows.width; first += block) {
     const size_t at = std::min(first, rows.width - block) + rows.pad, to = at - rows.pad;
     float ex[block], ey[block], px[block], py[block];
-    slope_along_block(&rows.g[at], f.edge, ex);
-    along_block(&rows.edge[at], f.gaussian, ey);
-    along_block(&rows.g[at], f.point, px);
-    along_block(&rows.point[at], f.gaussian, py);
+    along_block<-1>(&rows.g[at], f.edge, ex);
+    along_block<1>(&rows.edge[at], f.gaussian, ey);
+    along_block<1>(&rows.g[at], f.point, px);
+    along_block<1>(&rows.point[at], f.gaussian, py);
     for (size_t x = 0; x < block; ++x) {
       rows.edge_length[to + x] = std::sqrt(ex[x] * ex[x] + ey[x] * ey[x]);
       rows.point_length[to + x] = std::sqrt(px[x] * px[x] + py[x] * py[x]);

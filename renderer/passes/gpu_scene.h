@@ -31,7 +31,7 @@ struct GpuScene {
   /// The node of each object; as long as the objects of a frame.
   std::vector<int> object_nodes;
   SceneTraits traits;
-  bool software = false; // the device
+  bool software = false; // the device: some ways to the same result suit one better
   Bounds vehicle;        // in its own frame; empty where the scene has none
   std::vector<MaterialData> materials;
   GpuBuffer vertices, indices, texture_places;

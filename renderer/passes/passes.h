@@ -36,7 +36,6 @@ struct FrameContext {
   std::vector<uint8_t> policy_changed; // by mode: its history is of another policy
   DepthRange tagged;
   bool timed = false;
-  bool software = false;        // the device: some ways to the same result suit one better
   bool shifts_textures = false; // back by the jitter
   bool biases_textures = false;
 };

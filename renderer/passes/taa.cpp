@@ -40,7 +40,7 @@ Kept kept_by(FrameGraph& graph, const FrameContext& in, size_t place) {
 /// A sixteen-load Catmull-Rom is what a software device does faster, nine taps what others do.
 HistoryFilter filter_for(const FrameContext& in, HistoryFilter asked) {
   if (asked != HistoryFilter::catmull_rom) return asked;
-  return in.software ? HistoryFilter::catmull_rom_16 : HistoryFilter::catmull_rom_9;
+  return in.scene.software ? HistoryFilter::catmull_rom_16 : HistoryFilter::catmull_rom_9;
 }
 
 /// Thresholds of near and moving that are not set are found from what is tagged: all of it, and as much road

@@ -51,8 +51,7 @@ public:
                     .cut = cut,
                     .constants = runner_.memory().push_value(constants),
                     .policy_changed = std::vector<uint8_t>(runs.size(), cut),
-                    .tagged = {.deepest_m = 8, .length_m = 5},
-                    .software = true};
+                    .tagged = {.deepest_m = 8, .length_m = 5}};
     FrameGraph graph(runner_.kept(), frame_++);
     uploads_.clear();
     const TaaInputs images = upload_all(graph, inputs);

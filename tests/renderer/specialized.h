@@ -31,7 +31,6 @@ inline Specialized contents_of(const std::filesystem::path& file, const std::vec
     ext_inst = 12,
     load = 61,
     decorate = 71,
-    sampled_image = 86,
     image_fetch = 95,
     image_read = 98,
     image_write = 99

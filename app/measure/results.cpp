@@ -99,6 +99,7 @@ Measured read_measured(const json& object) {
              .samples = object.at("reference_samples"),
              .error_frames = object.at("error_frames"),
              .settings = object.at("settings"),
+             .set = object.at("set"),
              .modes = {},
              .timing = {},
              .rows = {},
@@ -122,10 +123,18 @@ Measured read_measured(const json& object) {
   return m;
 }
 
-/// What must be alike for two to have seen the same frames.
+/// What must be alike for two to have seen the same frames, their modes aside.
 json identity_of(const Measured& m) {
-  return {m.scene, m.rig,    m.width,  m.height,  m.seed,       m.settings,
+  return {m.scene, m.rig,    m.width,  m.height,  m.seed,       m.settings,   m.set,
           m.build, m.device, m.driver, m.version, m.validation, m.debug_build};
+}
+
+bool saw_the_same(const Measured& a, const Measured& b) {
+  if (identity_of(a) != identity_of(b)) return false;
+  return std::ranges::all_of(a.modes, [&](const auto& mode) {
+    const auto other = std::ranges::find(b.modes, mode.first, &std::pair<std::string, json>::first);
+    return other == b.modes.end() || other->second == mode.second;
+  });
 }
 
 template <class Map> void join(Map& into, const Map& from) {
@@ -243,6 +252,7 @@ json measured_json(const Measured& m) {
                  {"reference_samples", m.samples},
                  {"error_frames", m.error_frames},
                  {"settings", m.settings},
+                 {"set", m.set},
                  {"modes", json::array()},
                  {"timing", m.timing ? json_of(*m.timing) : json()},
                  {"rows", json::array()},
@@ -301,18 +311,18 @@ std::vector<Measured> merged(std::vector<Measured> parts) {
     return std::tuple(m.scene, m.seed, m.width * uint64_t(m.height), m.rig, measured_json(m).dump());
   };
   std::ranges::sort(parts, {}, order);
-  std::vector<std::pair<json, std::vector<const Measured*>>> groups;
+  std::vector<std::vector<const Measured*>> groups;
   for (const Measured& part : parts) {
-    const json identity = identity_of(part);
-    const auto same =
-        std::ranges::find(groups, identity, &std::pair<json, std::vector<const Measured*>>::first);
+    const auto same = std::ranges::find_if(groups, [&](const auto& group) {
+      return std::ranges::all_of(group, [&](const Measured* other) { return saw_the_same(part, *other); });
+    });
     if (same == groups.end())
-      groups.push_back({identity, {&part}});
+      groups.push_back({&part});
     else
-      same->second.push_back(&part);
+      same->push_back(&part);
   }
   std::vector<Measured> entries;
-  for (const auto& [identity, alike] : groups)
+  for (const auto& alike : groups)
     for (Measured& entry : joined(alike)) entries.push_back(std::move(entry));
   return entries;
 }

@@ -78,6 +78,7 @@ struct Measured {
   uint32_t samples = 0;               // of a supersampled frame
   std::vector<uint32_t> error_frames; // of which there is a supersampled one
   nlohmann::json settings;            // shared by all modes
+  std::vector<std::string> set;       // name=value, what was asked for beyond the defaults
   std::vector<std::pair<std::string, nlohmann::json>> modes; // each mode's name and own settings
   std::optional<Timing> timing;
   std::vector<MeasuredMode> rows; // one a mode, in the order of `modes`
@@ -102,8 +103,8 @@ Results results_from_json(const nlohmann::json& object, const std::string& where
 std::string results_csv(const Results& results);
 
 /// Joins what was measured of the same frames: figures of one scene, rig, size, seed, settings, program and
-/// driver meet in one entry. Times are kept apart by host; errors go into the entry of each. The order does
-/// not depend on the order of `parts`.
+/// driver meet in one entry, each mode once. Times are kept apart by host; errors go into the entry of each.
+/// The order does not depend on the order of `parts`.
 std::vector<Measured> merged(std::vector<Measured> parts);
 
 } // namespace unghost

@@ -1,5 +1,6 @@
 // `unghost flip`: how different two pictures look.
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 
 #include <nlohmann/json.hpp>
@@ -9,6 +10,7 @@
 #include "app/failure.h"
 #include "app/measure/flip.h"
 #include "app/measure/magma.h"
+#include "app/measure/quantile.h"
 #include "app/picture_input.h"
 #include "app/picture_output.h"
 #include "app/png_file.h"
@@ -45,11 +47,41 @@ Compared compare_hdr(const CommandLine& line, const FloatImage& reference, const
 
 Compared compare_pictures(const CommandLine& line, const LinearPicture& reference,
                           const LinearPicture& test) {
-  const FlipOptions options{.pixels_per_degree = line.flip.ppd.value_or(FlipOptions{}.pixels_per_degree)};
+  const FlipOptions options{.pixels_per_degree = line.flip.ppd.value_or(FlipOptions{}.pixels_per_degree),
+                            .threads = line.flip.threads};
   if (reference.hdr) return compare_hdr(line, reference.image, test.image, options);
   if (line.flip.first_exposure || line.flip.last_exposure || line.flip.exposures)
     throw WrongWords("exposures are for OpenEXR and Radiance HDR pictures");
   return {flip(reference.image, test.image, options), nlohmann::json::object()};
+}
+
+struct TimedComparison {
+  Compared compared;
+  std::vector<double> ms; // of each round
+};
+
+TimedComparison compare_in_rounds(const CommandLine& line, const LinearPicture& reference,
+                                  const LinearPicture& test) {
+  TimedComparison timed;
+  for (uint32_t round = 0; round < line.flip.rounds.value_or(1); ++round) {
+    const auto start = std::chrono::steady_clock::now();
+    timed.compared = compare_pictures(line, reference, test);
+    timed.ms.push_back(
+        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count());
+  }
+  return timed;
+}
+
+void say_times(const CommandLine& line, const std::vector<double>& ms, nlohmann::json& object,
+               Console& console) {
+  const double best = quantile(ms, 0), median = quantile(ms, 0.5);
+  const unsigned threads = threads_of(line.flip.threads);
+  object.update({{"best_ms", best}, {"median_ms", median}, {"threads", threads}, {"rounds", ms.size()}});
+  if (!line.json && !console.quiet)
+    console.err << "the error took " << fixed(best, 1) << " ms at best and " << fixed(median, 1)
+                << " in the median of " << ms.size() << (ms.size() > 1 ? " rounds, on " : " round, on ")
+                << threads << (threads > 1 ? " threads" : " thread")
+                << "; reading the files is not counted\n";
 }
 
 void check_alike(const CommandLine& line, const LinearPicture& a, const LinearPicture& b) {
@@ -75,7 +107,8 @@ void flip_command(const CommandLine& line, Console& console) {
   if (!line.output.empty()) output = std::make_unique<PictureOutput>(line, console);
   const LinearPicture reference = read_picture(*line.flip.reference), test = read_picture(*line.flip.test);
   check_alike(line, reference, test);
-  const Compared compared = compare_pictures(line, reference, test);
+  const TimedComparison timed = compare_in_rounds(line, reference, test);
+  const Compared& compared = timed.compared;
   const FlipSummary s = summary_of(compared.error.values);
   nlohmann::json object = compared.facts;
   object.update({{"mean", s.mean},
@@ -90,6 +123,7 @@ void flip_command(const CommandLine& line, Console& console) {
   if (output != nullptr)
     output->write(output->is_exr() ? encode_exr({{"Y", &compared.error, 0}}, object.dump())
                                    : encode_png(magma(compared.error), object.dump()));
+  if (line.flip.rounds) say_times(line, timed.ms, object, console); // no part of what the picture says
   if (output != nullptr && line.output == "-") return;
   Table table{{"mean", "min", "max", "first quartile", "median", "third quartile"}};
   table.add({fixed(s.mean, 6), fixed(s.min, 6), fixed(s.max, 6), fixed(s.weighted_first_quartile, 6),

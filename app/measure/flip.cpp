@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 #include <thread>
 
 #include "app/measure/flip_kernel.h"
@@ -13,21 +14,42 @@ namespace {
 
 /// Bands of rows, a thread each; the last one here.
 template <class Work> void in_bands(size_t rows, unsigned threads, const Work& work) {
-  if (threads == 0) threads = std::max(1u, std::thread::hardware_concurrency());
-  const size_t bands = std::clamp<size_t>(rows / 16, 1, threads);
+  const size_t bands = std::clamp<size_t>(rows / 16, 1, threads_of(threads));
   std::vector<std::jthread> others;
   for (size_t band = 0; band + 1 < bands; ++band)
     others.emplace_back([&work, band, bands, rows] { work(rows * band / bands, rows * (band + 1) / bands); });
   work(rows * (bands - 1) / bands, rows);
 }
 
-OpponentPlanes opponent_of(const FloatImage& linear, unsigned threads) {
-  OpponentPlanes planes{.width = linear.width, .height = linear.height, .planes = {}};
-  for (std::vector<float>& plane : planes.planes) plane.resize(size_t(linear.width) * linear.height);
-  in_bands(linear.height, threads, [&](size_t first, size_t last) {
-    opponent_from_linear(linear.values.data(), first * linear.width, (last - first) * linear.width, planes);
+/// `row_of(y, buffer)` gives one row of linear RGB; it may lie in the buffer.
+template <class RowOf>
+SeenPicture seen_by_rows(uint32_t width, uint32_t height, const FlipOptions& options, const RowOf& row_of) {
+  const FlipFilters filters(options.pixels_per_degree);
+  SeenPicture out{.width = width, .height = height, .l = {}, .a = {}, .b = {}, .edge = {}, .point = {}};
+  for (auto* plane : {&out.l, &out.a, &out.b, &out.edge, &out.point}) plane->resize(size_t(width) * height);
+  constexpr size_t slice = 64; // rows at a time: their planes stay in the cache
+  in_bands(height, options.threads, [&](size_t first, size_t last) {
+    OpponentPlanes planes(width, std::min<size_t>(height, slice + 2 * filters.reach));
+    std::vector<float> buffer(size_t(width) * 3);
+    for (size_t y = first; y < last; y += slice) {
+      const size_t end = std::min(y + slice, last);
+      planes.top = y - std::min(y, filters.reach);
+      planes.height = std::min<size_t>(end + filters.reach, height) - planes.top;
+      for (size_t row = 0; row < planes.height; ++row)
+        opponent_row(row_of(planes.top + row, buffer.data()), row, planes);
+      see_rows(planes, filters, y, end, out);
+    }
   });
-  return planes;
+  return out;
+}
+
+std::array<float, 256> linear_of_bytes() {
+  std::array<float, 256> linear;
+  for (size_t i = 0; i < 256; ++i) {
+    const double c = double(i) / 255;
+    linear[i] = float(c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4));
+  }
+  return linear;
 }
 
 /// (k0 x^2 + k1 x + k2) / (k3 x^2 + k4 x + k5); the flip program's.
@@ -54,26 +76,33 @@ double brightest(ToneMapper mapper) {
 
 float luminance(const float* c) { return 0.2126f * c[0] + 0.7152f * c[1] + 0.0722f * c[2]; }
 
-FloatImage tone_mapped(const FloatImage& linear, double stops, ToneMapper mapper, unsigned threads) {
-  FloatImage out = linear;
+/// `count` pixels as they look `stops` brighter.
+void tone_map(const float* linear, size_t count, double stops, ToneMapper mapper, float* out) {
   const auto kd = curve_of(mapper);
   std::array<float, 6> k;
   std::ranges::copy(kd, k.begin());
   const auto scale = float(std::exp2(stops));
-  in_bands(linear.height, threads, [&](size_t first, size_t last) {
-    for (size_t i = first * linear.width; i < last * linear.width; ++i) {
-      float* c = &out.values[3 * i];
-      for (int channel = 0; channel < 3; ++channel) c[channel] *= scale;
+  for (size_t i = 0; i < 3 * count; ++i) out[i] = linear[i] * scale;
+  if (mapper == ToneMapper::reinhard) {
+    for (size_t i = 0; i < count; ++i) {
+      float* c = out + 3 * i;
       const float whole = 1 / (1 + luminance(c));
-      for (int channel = 0; channel < 3; ++channel) {
-        const float x = c[channel];
-        c[channel] = mapper == ToneMapper::reinhard
-                         ? x * whole
-                         : ((k[0] * x + k[1]) * x + k[2]) / ((k[3] * x + k[4]) * x + k[5]);
-      }
+      for (int channel = 0; channel < 3; ++channel) c[channel] *= whole;
     }
+  } else {
+    for (size_t i = 0; i < 3 * count; ++i) {
+      const float x = out[i];
+      out[i] = ((k[0] * x + k[1]) * x + k[2]) / ((k[3] * x + k[4]) * x + k[5]);
+    }
+  }
+}
+
+SeenPicture seen_exposed(const FloatImage& linear, double stops, ToneMapper mapper,
+                         const FlipOptions& options) {
+  return seen_by_rows(linear.width, linear.height, options, [&](size_t y, float* rgb) {
+    tone_map(&linear.values[3 * y * linear.width], linear.width, stops, mapper, rgb);
+    return rgb;
   });
-  return out;
 }
 
 } // namespace
@@ -82,12 +111,12 @@ double pixels_per_degree(double distance_m, double monitor_px, double monitor_m)
   return distance_m * (monitor_px / monitor_m) * std::numbers::pi / 180;
 }
 
+unsigned threads_of(unsigned threads) {
+  return threads > 0 ? threads : std::max(1u, std::thread::hardware_concurrency());
+}
+
 FloatImage linear_from_srgb(const Image& picture) {
-  std::array<float, 256> linear;
-  for (size_t i = 0; i < 256; ++i) {
-    const double c = double(i) / 255;
-    linear[i] = float(c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4));
-  }
+  const std::array<float, 256> linear = linear_of_bytes();
   FloatImage out{.width = picture.width, .height = picture.height, .channels = 3, .values = {}};
   out.values.reserve(size_t(picture.width) * picture.height * 3);
   for (size_t i = 0; i < size_t(picture.width) * picture.height; ++i)
@@ -96,14 +125,46 @@ FloatImage linear_from_srgb(const Image& picture) {
   return out;
 }
 
-FloatImage flip(const FloatImage& reference, const FloatImage& test, const FlipOptions& options) {
-  const FlipFilters filters(options.pixels_per_degree);
-  const OpponentPlanes a = opponent_of(reference, options.threads), b = opponent_of(test, options.threads);
+SeenPicture seen(const FloatImage& linear, const FlipOptions& options) {
+  return seen_by_rows(linear.width, linear.height, options,
+                      [&](size_t y, float*) { return &linear.values[y * linear.width * 3]; });
+}
+
+SeenPicture seen(const Image& srgb, const FlipOptions& options) {
+  const std::array<float, 256> linear = linear_of_bytes();
+  return seen_by_rows(srgb.width, srgb.height, options, [&](size_t y, float* rgb) {
+    const uint8_t* bytes = &srgb.rgba[y * srgb.width * 4];
+    for (size_t x = 0; x < srgb.width; ++x)
+      for (size_t channel = 0; channel < 3; ++channel) rgb[3 * x + channel] = linear[bytes[4 * x + channel]];
+    return rgb;
+  });
+}
+
+FloatImage flip(const SeenPicture& reference, const SeenPicture& test, const FlipOptions& options) {
   FloatImage error{.width = reference.width, .height = reference.height, .channels = 1, .values = {}};
-  error.values.resize(size_t(reference.width) * reference.height);
-  in_bands(reference.height, options.threads,
-           [&](size_t first, size_t last) { flip_rows(a, b, filters, first, last, error.values.data()); });
+  error.values.resize(reference.l.size());
+  in_bands(reference.height, options.threads, [&](size_t first, size_t last) {
+    const size_t begin = first * reference.width;
+    compare_pixels(reference, test, begin, last * reference.width - begin, &error.values[begin]);
+  });
   return error;
+}
+
+double mean_flip(const SeenPicture& reference, const SeenPicture& test, const FlipOptions& options) {
+  const size_t width = reference.width;
+  std::vector<double> rows(reference.height); // summed alone, so that bands change nothing
+  in_bands(reference.height, options.threads, [&](size_t first, size_t last) {
+    std::vector<float> errors(width);
+    for (size_t y = first; y < last; ++y) {
+      compare_pixels(reference, test, y * width, width, errors.data());
+      rows[y] = std::accumulate(errors.begin(), errors.end(), 0.0);
+    }
+  });
+  return std::accumulate(rows.begin(), rows.end(), 0.0) / double(reference.l.size());
+}
+
+FloatImage flip(const FloatImage& reference, const FloatImage& test, const FlipOptions& options) {
+  return flip(seen(reference, options), seen(test, options), options);
 }
 
 uint32_t exposures_between(double first, double last) {
@@ -133,8 +194,8 @@ HdrFlip hdr_flip(const FloatImage& reference, const FloatImage& test, const Expo
   for (uint32_t i = 0; i < exposures.count; ++i) {
     const double share = exposures.count > 1 ? double(i) / (exposures.count - 1) : 0;
     const double stops = exposures.first + share * (exposures.last - exposures.first);
-    const FloatImage error = flip(tone_mapped(reference, stops, mapper, options.threads),
-                                  tone_mapped(test, stops, mapper, options.threads), options);
+    const FloatImage error = flip(seen_exposed(reference, stops, mapper, options),
+                                  seen_exposed(test, stops, mapper, options), options);
     for (size_t pixel = 0; pixel < error.values.size(); ++pixel)
       if (error.values[pixel] > worst.error.values[pixel])
         worst.error.values[pixel] = error.values[pixel], worst.exposure.values[pixel] = float(share);

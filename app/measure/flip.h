@@ -19,11 +19,29 @@ struct FlipOptions {
   unsigned threads = 0;                     // 0: as many as there are cores
 };
 
+/// How many threads such a number asks for.
+unsigned threads_of(unsigned threads);
+
 /// 8-bit sRGB as linear RGB; alpha is left out.
 FloatImage linear_from_srgb(const Image& picture);
 
-/// The error of each pixel, 0 to 1: one channel. Both are linear RGB as a screen shows it (what is beyond 0
-/// to 1 is clamped) and of one size.
+/// All that the metric takes of one picture, a value a pixel in each plane: colours as the eye filters them
+/// (CIELab after Hunt's effect), and how strong edges and points are.
+struct SeenPicture {
+  uint32_t width = 0, height = 0;
+  std::vector<float> l, a, b, edge, point;
+};
+/// Linear RGB as a screen shows it: what is beyond 0 to 1 is clamped.
+SeenPicture seen(const FloatImage& linear, const FlipOptions& options = {});
+/// 8-bit sRGB; alpha is left out.
+SeenPicture seen(const Image& srgb, const FlipOptions& options = {});
+
+/// The error of each pixel, 0 to 1: one channel. Both are of one size, and seen with the same pixels per
+/// degree.
+FloatImage flip(const SeenPicture& reference, const SeenPicture& test, const FlipOptions& options = {});
+/// The mean of those errors, summed in double.
+double mean_flip(const SeenPicture& reference, const SeenPicture& test, const FlipOptions& options = {});
+/// Of linear RGB, both of one size.
 FloatImage flip(const FloatImage& reference, const FloatImage& test, const FlipOptions& options = {});
 
 enum class ToneMapper { aces, hable, reinhard };

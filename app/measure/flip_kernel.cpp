@@ -82,51 +82,72 @@ UNGHOST_INLINE float distance(Lab p, Lab q) {
   return power((l < 0 ? -l : l) + std::sqrt(a * a + b * b), 0.7f);
 }
 
-/// Sixteen pixels at a time stay in registers.
-constexpr size_t block = 16;
+/// So many pixels at a time stay in registers.
+constexpr size_t block = 32;
 
-/// Row buffers of one picture; those with ends to both sides are filtered along the row next.
+/// Row buffers; those with ends to both sides are filtered along the row next.
 struct Rows {
   Rows(size_t picture_width, size_t reach)
       : pad(reach), filled(picture_width), width(std::max(picture_width, block)) {
     for (auto* row : {&yy, &cx, &cz, &cz_wide, &g, &edge, &point}) row->resize(width + 2 * pad);
     for (auto* row : {&l, &a, &b, &edge_length, &point_length}) row->resize(width);
+    above.resize(reach + 1), below.resize(reach + 1);
   }
   size_t pad, filled, width;
+  std::vector<size_t> above, below;                       // what columns of filters see
   std::vector<float> yy, cx, cz, cz_wide, g, edge, point; // filtered down the columns
   std::vector<float> l, a, b, edge_length, point_length;
 };
 
-/// The rows that filters at row y see, the edge going on.
+/// Where the rows lie that filters at one row see, the edge going on; from a column on.
 struct Column {
   const float* plane;
-  size_t width, height, y;
-  const float* up(size_t i) const { return plane + (i > y ? 0 : y - i) * width; }
-  const float* down(size_t i) const { return plane + std::min(y + i, height - 1) * width; }
+  const size_t *above, *below; // starts of the rows 0, 1, ... away
 };
 
-UNGHOST_INLINE void filter_down(const Column& from, const HalfFilter& half, float* __restrict to) {
-  const float* middle = from.up(0);
-  for (size_t x = 0; x < from.width; ++x) to[x] = half[0] * middle[x];
+UNGHOST_INLINE void down_block(const Column& from, const HalfFilter& half, float* __restrict to) {
+  const float* middle = from.plane + from.above[0];
+  float sum[block];
+  for (size_t x = 0; x < block; ++x) sum[x] = half[0] * middle[x];
   for (size_t i = 1; i < half.size(); ++i) {
-    const float* __restrict up = from.up(i), * __restrict down = from.down(i);
-    const float weight = half[i];
-    for (size_t x = 0; x < from.width; ++x) to[x] += weight * (up[x] + down[x]);
+    const float *up = from.plane + from.above[i], *down = from.plane + from.below[i];
+    for (size_t x = 0; x < block; ++x) sum[x] += half[i] * (up[x] + down[x]);
   }
+  for (size_t x = 0; x < block; ++x) to[x] = sum[x];
 }
 
-UNGHOST_INLINE void filter_features_down(const Column& from, const FlipFilters& f, float* __restrict g,
-                                         float* __restrict edge, float* __restrict point) {
-  const float* middle = from.up(0);
-  for (size_t x = 0; x < from.width; ++x)
+UNGHOST_INLINE void features_down_block(const Column& from, const FlipFilters& f, float* __restrict to_g,
+                                        float* __restrict to_edge, float* __restrict to_point) {
+  const float* middle = from.plane + from.above[0];
+  float g[block], edge[block], point[block];
+  for (size_t x = 0; x < block; ++x)
     g[x] = f.gaussian[0] * middle[x], edge[x] = 0, point[x] = f.point[0] * middle[x];
   for (size_t i = 1; i < f.gaussian.size(); ++i) {
-    const float* __restrict up = from.up(i), * __restrict down = from.down(i);
+    const float *up = from.plane + from.above[i], *down = from.plane + from.below[i];
     const float wg = f.gaussian[i], we = f.edge[i], wp = f.point[i];
-    for (size_t x = 0; x < from.width; ++x) {
+    for (size_t x = 0; x < block; ++x) {
       const float both = up[x] + down[x];
       g[x] += wg * both, point[x] += wp * both, edge[x] += we * (up[x] - down[x]);
     }
+  }
+  for (size_t x = 0; x < block; ++x) to_g[x] = g[x], to_edge[x] = edge[x], to_point[x] = point[x];
+}
+
+UNGHOST_INLINE void filter_down(const OpponentPlanes& picture, const FlipFilters& f, size_t y, Rows& rows) {
+  for (size_t i = 0; i < rows.above.size(); ++i) {
+    rows.above[i] = (y - std::min(i, y)) * picture.stride;
+    rows.below[i] = std::min(y + i, picture.height - 1) * picture.stride;
+  }
+  for (size_t first = 0; first < rows.width; first += block) {
+    const size_t x = std::min(first, rows.width - block), to = x + rows.pad;
+    const auto column = [&](size_t plane) {
+      return Column{picture.planes[plane].data() + x, rows.above.data(), rows.below.data()};
+    };
+    down_block(column(0), f.achromatic, &rows.yy[to]);
+    down_block(column(1), f.red_green, &rows.cx[to]);
+    down_block(column(2), f.blue_yellow, &rows.cz[to]);
+    down_block(column(2), f.blue_yellow_wide, &rows.cz_wide[to]);
+    features_down_block(column(0), f, &rows.g[to], &rows.edge[to], &rows.point[to]);
   }
 }
 
@@ -173,73 +194,90 @@ UNGHOST_INLINE void features_of_row(Rows& rows, const FlipFilters& f) {
   }
 }
 
-UNGHOST_INLINE void filter_row(const OpponentPlanes& picture, const FlipFilters& f, size_t y, Rows& rows) {
-  const auto column = [&](size_t plane) {
-    return Column{picture.planes[plane].data(), picture.width, picture.height, y};
-  };
-  const size_t pad = rows.pad;
-  filter_down(column(0), f.achromatic, &rows.yy[pad]);
-  filter_down(column(1), f.red_green, &rows.cx[pad]);
-  filter_down(column(2), f.blue_yellow, &rows.cz[pad]);
-  filter_down(column(2), f.blue_yellow_wide, &rows.cz_wide[pad]);
-  filter_features_down(column(0), f, &rows.g[pad], &rows.edge[pad], &rows.point[pad]);
+UNGHOST_INLINE void see_row(const OpponentPlanes& picture, const FlipFilters& f, size_t y, Rows& rows) {
+  filter_down(picture, f, y, rows);
   for (auto* row : {&rows.yy, &rows.cx, &rows.cz, &rows.cz_wide, &rows.g, &rows.edge, &rows.point})
-    extend_ends(*row, pad, rows.filled);
+    extend_ends(*row, rows.pad, rows.filled);
   colours_of_row(rows, f);
   features_of_row(rows, f);
 }
 
-UNGHOST_INLINE void errors_of_row(const Rows& r, const Rows& t, size_t width, float* __restrict errors) {
+UNGHOST_INLINE void see(const OpponentPlanes& planes, const FlipFilters& f, size_t first, size_t last,
+                        SeenPicture& out) {
+  Rows rows(planes.width, f.reach);
+  const auto keep = [&](const std::vector<float>& row, size_t y, std::vector<float>& plane) {
+    std::copy_n(row.begin(), planes.width, plane.begin() + std::ptrdiff_t(y * planes.width));
+  };
+  for (size_t y = first; y < last; ++y) {
+    see_row(planes, f, y - planes.top, rows);
+    keep(rows.l, y, out.l), keep(rows.a, y, out.a), keep(rows.b, y, out.b);
+    keep(rows.edge_length, y, out.edge), keep(rows.point_length, y, out.point);
+  }
+}
+
+UNGHOST_INLINE void compare(const SeenPicture& r, const SeenPicture& t, size_t first, size_t count,
+                            float* __restrict errors) {
   const float most = distance(hunted_linear(0, 1, 0), hunted_linear(0, 0, 1)), knee = 0.4f * most;
-  for (size_t x = 0; x < width; ++x) {
-    const float far = distance({r.l[x], r.a[x], r.b[x]}, {t.l[x], t.a[x], t.b[x]});
+  for (size_t x = 0; x < count; ++x) {
+    const size_t i = first + x;
+    const float far = distance({r.l[i], r.a[i], r.b[i]}, {t.l[i], t.a[i], t.b[i]});
     const float above = 0.95f + (far - knee) / (most - knee) * 0.05f;
     const float colour = far < knee ? 0.95f / knee * far : above;
-    const float edge =
-        std::abs(r.edge_length[x] - t.edge_length[x]) * (1.f / 116); // of lightness over its range
-    const float point = std::abs(r.point_length[x] - t.point_length[x]) * (1.f / 116);
+    const float edge = std::abs(r.edge[i] - t.edge[i]) * (1.f / 116); // of lightness over its range
+    const float point = std::abs(r.point[i] - t.point[i]) * (1.f / 116);
     const float feature = std::sqrt((edge > point ? edge : point) * 0.707106781f);
     errors[x] = power(colour, 1 - feature);
   }
 }
 
-UNGHOST_INLINE void rows_between(const OpponentPlanes& reference, const OpponentPlanes& test,
-                                 const FlipFilters& f, size_t first, size_t last, float* errors) {
-  Rows of_reference(reference.width, f.reach), of_test(test.width, f.reach);
-  for (size_t y = first; y < last; ++y) {
-    filter_row(reference, f, y, of_reference);
-    filter_row(test, f, y, of_test);
-    errors_of_row(of_reference, of_test, reference.width, errors + y * reference.width);
+UNGHOST_INLINE void opponent(const float* __restrict rgb, size_t row, OpponentPlanes& to) {
+  float* __restrict yy = &to.planes[0][row * to.stride];
+  float* __restrict cx = &to.planes[1][row * to.stride];
+  float* __restrict cz = &to.planes[2][row * to.stride];
+  for (size_t i = 0; i < to.width; ++i) {
+    const float r = clamped(rgb[3 * i]), g = clamped(rgb[3 * i + 1]), b = clamped(rgb[3 * i + 2]);
+    const float xn = xr * r + xg * g + xb * b, yn = yr * r + yg * g + yb * b, zn = zr * r + zg * g + zb * b;
+    yy[i] = 116 * yn - 16, cx[i] = 500 * (xn - yn), cz[i] = 200 * (yn - zn);
   }
 }
 
 #if defined(__x86_64__)
-__attribute__((target("avx2"))) void rows_between_avx2(const OpponentPlanes& reference,
-                                                       const OpponentPlanes& test, const FlipFilters& f,
-                                                       size_t first, size_t last, float* errors) {
-  rows_between(reference, test, f, first, last, errors);
-}
 const bool wide_vectors = __builtin_cpu_supports("avx2");
+__attribute__((target("avx2"))) void opponent_avx2(const float* rgb, size_t row, OpponentPlanes& to) {
+  opponent(rgb, row, to);
+}
+__attribute__((target("avx2"))) void see_avx2(const OpponentPlanes& picture, const FlipFilters& f,
+                                              size_t first, size_t last, SeenPicture& out) {
+  see(picture, f, first, last, out);
+}
+__attribute__((target("avx2"))) void compare_avx2(const SeenPicture& r, const SeenPicture& t, size_t first,
+                                                  size_t count, float* errors) {
+  compare(r, t, first, count, errors);
+}
+#define UNGHOST_WIDEST(kernel) (wide_vectors ? kernel##_avx2 : kernel)
+#else
+#define UNGHOST_WIDEST(kernel) kernel
 #endif
 
 } // namespace
 
-void opponent_from_linear(const float* rgb, size_t first, size_t count, OpponentPlanes& planes) {
-  for (size_t i = first; i < first + count; ++i) {
-    const float r = clamped(rgb[3 * i]), g = clamped(rgb[3 * i + 1]), b = clamped(rgb[3 * i + 2]);
-    const float x = xr * r + xg * g + xb * b, y = yr * r + yg * g + yb * b, z = zr * r + zg * g + zb * b;
-    planes.planes[0][i] = 116 * y - 16;
-    planes.planes[1][i] = 500 * (x - y);
-    planes.planes[2][i] = 200 * (y - z);
-  }
+OpponentPlanes::OpponentPlanes(size_t picture_width, size_t picture_height)
+    : width(picture_width), height(picture_height), stride(std::max(picture_width, block)) {
+  for (std::vector<float>& plane : planes) plane.resize(stride * height);
 }
 
-void flip_rows(const OpponentPlanes& reference, const OpponentPlanes& test, const FlipFilters& filters,
-               size_t first, size_t last, float* errors) {
-#if defined(__x86_64__)
-  if (wide_vectors) return rows_between_avx2(reference, test, filters, first, last, errors);
-#endif
-  rows_between(reference, test, filters, first, last, errors);
+void opponent_row(const float* rgb, size_t row, OpponentPlanes& to) {
+  UNGHOST_WIDEST(opponent)(rgb, row, to);
+}
+
+void see_rows(const OpponentPlanes& planes, const FlipFilters& filters, size_t first, size_t last,
+              SeenPicture& out) {
+  UNGHOST_WIDEST(see)(planes, filters, first, last, out);
+}
+
+void compare_pixels(const SeenPicture& reference, const SeenPicture& test, size_t first, size_t count,
+                    float* errors) {
+  UNGHOST_WIDEST(compare)(reference, test, first, count, errors);
 }
 
 } // namespace unghost

@@ -6,6 +6,8 @@
 #include <cstddef>
 #include <vector>
 
+#include "app/measure/flip.h"
+
 namespace unghost {
 
 /// Half of a filter that is symmetric or antisymmetric: weights 0, 1, ... to one side.
@@ -20,17 +22,24 @@ struct FlipFilters {
   size_t reach = 0; // of the widest
 };
 
-/// Planes of one picture: lightness and two opponent colours, linear (YyCxCz).
+/// Planes of a picture's rows from `top` on: lightness and two opponent colours, linear (YyCxCz). A row
+/// starts `stride` after the one above it: more than a narrow picture's width, as vectors are read whole.
 struct OpponentPlanes {
-  size_t width = 0, height = 0;
+  OpponentPlanes(size_t width, size_t height);
+  size_t width, height, stride, top = 0;
   std::array<std::vector<float>, 3> planes;
 };
 
-/// Planes of `count` pixels of linear RGB from `first` on.
-void opponent_from_linear(const float* rgb, size_t first, size_t count, OpponentPlanes& planes);
+/// A row from its linear RGB, counted from the top.
+void opponent_row(const float* rgb, size_t row, OpponentPlanes& to);
 
-/// Errors of the rows from `first` on, before `last`.
-void flip_rows(const OpponentPlanes& reference, const OpponentPlanes& test, const FlipFilters& filters,
-               size_t first, size_t last, float* errors);
+/// The picture's rows from `first` on, before `last`. The planes hold all rows that their filters reach, but
+/// for those beyond the picture.
+void see_rows(const OpponentPlanes& planes, const FlipFilters& filters, size_t first, size_t last,
+              SeenPicture& out);
+
+/// Errors of `count` pixels from `first` on.
+void compare_pixels(const SeenPicture& reference, const SeenPicture& test, size_t first, size_t count,
+                    float* errors);
 
 } // namespace unghost

@@ -62,6 +62,32 @@ TEST(Flip, IsTheSameBothWaysAndWithAnyNumberOfThreads) {
   for (const float error : errors) EXPECT_TRUE(error >= 0 && error <= 1);
 }
 
+TEST(Flip, OfPicturesSeenBeforeIsTheSame) {
+  const FloatImage a = noise(53, 171, 1), b = noise(53, 171, 2);
+  const FlipOptions one{.pixels_per_degree = 40, .threads = 1}, three{.pixels_per_degree = 40, .threads = 3};
+  const std::vector<float> errors = flip(a, b, one).values;
+  const SeenPicture reference = seen(a, three), test = seen(b, one);
+  EXPECT_EQ(flip(reference, test, three).values, errors);
+  const double mean = mean_flip(reference, test, one);
+  EXPECT_NEAR(mean, summary_of(errors).mean, 1e-12);
+  EXPECT_EQ(mean_flip(reference, test, three), mean);
+  EXPECT_EQ(mean_flip(reference, reference, three), 0);
+}
+
+TEST(Flip, EightBitsAreSeenAsTheLinearPictureThatTheyStandFor) {
+  Image picture = picture_of(19, 33, {0, 0, 0});
+  std::mt19937 random(3);
+  for (uint8_t& byte : picture.rgba) byte = uint8_t(random());
+  const SeenPicture bytes = seen(picture, {.pixels_per_degree = 30}),
+                    floats = seen(linear_from_srgb(picture), {.pixels_per_degree = 30});
+  EXPECT_EQ(bytes.width, 19u);
+  EXPECT_EQ(bytes.height, 33u);
+  EXPECT_EQ(bytes.l.size(), 19u * 33);
+  for (auto plane :
+       {&SeenPicture::l, &SeenPicture::a, &SeenPicture::b, &SeenPicture::edge, &SeenPicture::point})
+    EXPECT_EQ(bytes.*plane, floats.*plane);
+}
+
 // What lies far away is nothing to an error, at any size and resolution.
 TEST(Flip, APixelsErrorStaysAroundIt) {
   FloatImage a = flat(90, 50, {100, 100, 100}), b = a;
@@ -110,6 +136,39 @@ TEST(Flip, TheCommandSaysFiguresAndDrawsAMap) {
   EXPECT_EQ(outcome({"flip", file("a.png"), file("none.png")}).exit, 3);
   EXPECT_EQ(outcome({"flip", file("a.png"), file("b.png"), "--ppd", "nan"}).exit, 2);
   EXPECT_EQ(outcome({"flip", file("a.png"), file("b.png"), "--exposures", "4"}).exit, 2);
+}
+
+TEST(Flip, TheCommandSaysHowLongItTakes) {
+  const ScratchFolder folder;
+  const auto file = [&](const char* name) { return (folder.path / name).string(); };
+  write_file(file("a.png"), encode_png(picture_of(30, 40, {128, 128, 128}), "{}"));
+  write_file(file("b.png"), encode_png(picture_of(30, 40, {138, 138, 138}), "{}"));
+  const auto flip_with = [&](std::vector<std::string> words) {
+    words.insert(words.begin(), {"flip", file("a.png"), file("b.png")});
+    return outcome(words);
+  };
+  const Outcome run = flip_with({"--rounds", "5", "--threads", "2", "--json"});
+  ASSERT_EQ(run.exit, 0) << run.err;
+  const nlohmann::json timed = nlohmann::json::parse(run.out);
+  EXPECT_EQ(timed.at("rounds"), 5);
+  EXPECT_EQ(timed.at("threads"), 2);
+  EXPECT_GT(timed.at("best_ms").get<double>(), 0);
+  EXPECT_GE(timed.at("median_ms"), timed.at("best_ms"));
+  EXPECT_EQ(run.err, "");
+  nlohmann::json figures = nlohmann::json::parse(flip_with({"--json"}).out), rest = timed;
+  for (const char* name : {"rounds", "threads", "best_ms", "median_ms"}) rest.erase(name);
+  EXPECT_EQ(figures, rest);
+  const nlohmann::json all = nlohmann::json::parse(flip_with({"--rounds", "1", "--json"}).out);
+  EXPECT_EQ(all.at("threads"), threads_of(0));
+  EXPECT_NE(flip_with({"--rounds", "3", "--threads", "1"}).err.find("3 rounds, on 1 thread;"),
+            std::string::npos);
+  EXPECT_EQ(flip_with({"--rounds", "3", "--quiet"}).err, "");
+  for (const auto& [option, value] : {std::pair{"--rounds", "0"},
+                                      {"--rounds", "10001"},
+                                      {"--rounds", "x"},
+                                      {"--threads", "-1"},
+                                      {"--threads", "257"}})
+    EXPECT_EQ(flip_with({option, value}).exit, 2) << option << " " << value;
 }
 
 class FlipGroundTruth : public testing::Test {

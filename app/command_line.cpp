@@ -8,6 +8,8 @@
 
 #include "app/commands.h"
 #include "app/measure/flip.h"
+#include "app/measuring_options.h"
+#include "app/option_checks.h"
 #include "app/paths.h"
 #include "app/table.h"
 #include "renderer/spelling.h"
@@ -18,11 +20,6 @@ namespace {
 constexpr std::string_view footer =
     "Exit codes: 0 done; 1 failed, or over a bound; 2 the words were wrong; 3 the input was refused;\n"
     "4 no usable Vulkan device; 5 device lost or out of memory; 130 and 143 for signals.";
-
-/// Of options that take any words: the next option is none of them.
-std::string no_option(const std::string& text) {
-  return text.empty() || (text.starts_with('-') && text.size() > 1) ? "a value is missing" : "";
-}
 
 void add_talk(CLI::App& app, CommandLine& line) {
   app.add_flag("--json,!--no-json", line.json, "Figures as one JSON object on standard output");
@@ -50,7 +47,8 @@ void add_drawing(CLI::App& app, CommandLine& line, bool with_frames) {
       "WIDTHxHEIGHT, in pixels (default 1280x720)");
   if (with_frames)
     app.add_option("--frames", line.frames,
-                   "Rendered one by one from a cold start; the last one counts (default 64; measure: 32)")
+                   "Rendered one by one from a cold start; the last one counts (default 64; measure: the "
+                   "protocol's)")
         ->check(CLI::Range(1u, most_frames));
   app.add_option_function<std::string>(
       "--seed", [&line](const std::string& text) { line.seed = seed_of(text); },
@@ -66,18 +64,6 @@ void add_frames_out(CLI::App& app, CommandLine& line) {
                  "Write lit colour, depth, motion, tag and resolved as EXR to this folder");
 }
 
-/// A number, finite and in its range: the library lets `nan` through.
-CLI::Option* add_number(CLI::App& app, const char* name, std::optional<double>& to, double low, double high,
-                        const std::string& help) {
-  return app.add_option(name, to, help)->check([low, high](const std::string& text) {
-    double value = 0;
-    const char* end = text.data() + text.size();
-    const auto [rest, error] = std::from_chars(text.data(), end, value);
-    const bool good = error == std::errc{} && rest == end && value >= low && value <= high;
-    return good ? "" : "it is a number from " + fixed(low, 0) + " to " + fixed(high, 0);
-  });
-}
-
 void add_flip(CLI::App& app, FlipWords& flip) {
   app.add_option("REFERENCE", flip.reference, "PNG, OpenEXR or Radiance HDR; alpha is left out");
   app.add_option("TEST", flip.test, "Of the same size");
@@ -91,10 +77,14 @@ void add_flip(CLI::App& app, FlipWords& flip) {
   for (const auto& [name, mapper] : tone_mappers) mappers.emplace_back(name);
   app.add_option("--tone-mapper", flip.tone_mapper, "HDR: aces (the default), hable or reinhard")
       ->check(CLI::IsMember(mappers));
+  app.add_option("--rounds", flip.rounds, "Compute it so many times and say how long that takes")
+      ->check(CLI::Range(1u, most_flip_rounds));
+  app.add_option("--threads", flip.threads, "That share the work (default 0: as many as there are cores)")
+      ->check(CLI::Range(0u, most_threads));
 }
 
 void add_options(CLI::App& app, const CommandRow& row, CommandLine& line) {
-  if (row.options & drawing) add_drawing(app, line, (row.options & timed) == 0);
+  if (row.options & drawing) add_drawing(app, line, row.run != bench);
   if (row.options & device) add_device(app, line);
   if (row.options & one_mode)
     app.add_option("--mode", line.mode, "Which temporal resolve (default grand-tour)");
@@ -109,9 +99,12 @@ void add_options(CLI::App& app, const CommandRow& row, CommandLine& line) {
     app.add_flag_function(
         "--crops,!--no-crops", [&line](int64_t count) { line.crops = count > 0; },
         "Enlarge where the modes differ most");
-  if (row.options & timed)
-    app.add_option("--rounds", line.frames, "Of all modes in turns (default 31)")
+  if (row.options & (timed | figures))
+    app.add_option("--rounds", line.rounds, "Of all modes in turns, timed (default 31)")
         ->check(CLI::Range(1u, most_frames));
+  if (row.run == bench)
+    app.add_flag("--alone,!--no-alone", line.alone,
+                 "Also draw each mode in frames of its own: what sharing the geometry saves");
   if (row.options & axis_search) {
     app.add_option("--faces", line.faces, "Of the polytope, two an axis (default 16)")
         ->check(CLI::Range(4u, 64u));
@@ -119,11 +112,7 @@ void add_options(CLI::App& app, const CommandRow& row, CommandLine& line) {
                  "For the scene's own aliased frames; else around the unit sphere, with X, Y and Z kept");
   }
   if (row.options & two_pictures) add_flip(app, line.flip);
-  if (row.options & figures)
-    app.add_option("--what", line.what, "Which figures: trail")
-        ->delimiter(',')
-        ->allow_extra_args(false)
-        ->check(no_option);
+  add_measuring(app, row, line);
   add_talk(app, line);
 }
 
@@ -197,7 +186,7 @@ uint64_t seed_of(const std::string& text) {
 }
 
 std::variant<CommandLine, HelpText, VersionAsked> parse_command_line(std::span<const char* const> words) {
-  CommandLine line;
+  CommandLine line{.words = apart_from_output(Words(words.begin(), words.end())).words};
   bool version = false;
   const char* validate = std::getenv("UNGHOST_VALIDATE");
   if (validate != nullptr && validate != std::string_view("0") && validate != std::string_view("1"))
@@ -220,6 +209,16 @@ std::variant<CommandLine, HelpText, VersionAsked> parse_command_line(std::span<c
   if (line.quiet && line.verbose) throw WrongWords("--quiet and --verbose do not go together");
   if (line.view) line.assignments.push_back("view=" + *line.view);
   return line;
+}
+
+CommandLine command_line_of(const Words& words) {
+  std::vector<const char*> pointers;
+  for (const std::string& word : words) pointers.push_back(word.c_str());
+  auto parsed = parse_command_line(pointers);
+  auto* line = std::get_if<CommandLine>(&parsed);
+  if (line == nullptr || line->command == nullptr)
+    throw WrongWords("'" + quoted_words(words) + "' is no command");
+  return std::move(*line);
 }
 
 std::string help_text() {

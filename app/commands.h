@@ -9,12 +9,15 @@
 
 namespace unghost {
 
+class Progress;
+
 /// Where a run writes: data to `out`, talk to `err`.
 struct Console {
   std::ostream& out;
   std::ostream& err;
   bool quiet = false, verbose = false;
-  bool terminal = false; // err is one: progress is shown
+  bool terminal = false;        // err is one: progress is shown
+  Progress* progress = nullptr; // of a longer work, of which this is a part
 };
 
 /// What a command can be told, beyond --json and the talk.
@@ -25,11 +28,16 @@ enum CommandOptions : unsigned {
   picture = 8,     // -o
   frames_out = 16, // sequences and buffers
   crops = 32,
-  figures = 64, // what to measure
+  figures = 64, // what to measure, and how thoroughly
   device = 128,
   timed = 256, // rounds
   axis_search = 512,
   two_pictures = 1024,
+  figures_out = 16384,   // -o of JSON
+  report_choice = 32768, // how thoroughly, from what, beside what
+  sweep_plan = 2048,
+  job_list = 4096, // and which line of it
+  shard_list = 8192,
 };
 
 struct CommandRow {
@@ -45,6 +53,10 @@ void compare(const CommandLine& line, Console& console);
 void measure(const CommandLine& line, Console& console);
 void axes(const CommandLine& line, Console& console);
 void flip_command(const CommandLine& line, Console& console);
+void sweep(const CommandLine& line, Console& console);
+void job(const CommandLine& line, Console& console);
+void report(const CommandLine& line, Console& console);
+void merge(const CommandLine& line, Console& console);
 void bench(const CommandLine& line, Console& console);
 void list_modes(const CommandLine& line, Console& console);
 void list_rigs(const CommandLine& line, Console& console);

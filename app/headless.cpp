@@ -73,11 +73,10 @@ void Headless::say_banner() const {
   if (!why.empty()) console_.err << "times are not a GPU's: " << why << "\n";
 }
 
-FrameResult Headless::render_one(uint32_t frame, const FrameInput& input) {
+FrameResult Headless::render_one(const FrameInput& input) {
   FrameResult result = renderer_->render(input);
   note_passes(result);
   throw_if_interrupted(); // and not after a picture is in its place
-  show_progress(frame + 1);
   return result;
 }
 
@@ -85,18 +84,21 @@ void Headless::render(std::span<const ModeRun> modes, const Wants& wants, const 
   for (uint32_t frame = 0; frame < shot_.frames; ++frame) {
     FrameInput input = frame_input(shot_, context_, modes, frame);
     input.wanted = wants(frame);
-    FrameResult result = render_one(frame, input);
+    FrameResult result = render_one(input);
+    show_progress(frame + 1);
     if (!input.wanted.empty()) take(frame, input.wanted, result);
   }
 }
 
-void Headless::render_timed(std::span<const ModeRun> modes, const Take& take) {
-  for (uint32_t frame = 0; frame < shot_.frames; ++frame) {
-    FrameInput input = frame_input(shot_, context_, modes, frame);
-    input.timed = true;
-    FrameResult result = render_one(frame, input);
-    take(frame, input.wanted, result);
-  }
+Film Headless::film(std::function<void(double work)> drawn) {
+  return {.at = [this](uint32_t frame) { return frame_input(shot_, context_, {}, frame); },
+          .draw =
+              [this, drawn](const FrameInput& input) {
+                FrameResult result = render_one(input);
+                if (drawn) drawn(work_of(input));
+                return result;
+              },
+          .animated = !renderer_->scene().animations.empty()};
 }
 
 void Headless::show_progress(uint32_t done) const {
@@ -159,12 +161,6 @@ void Headless::finish() const {
   if (!messages.empty())
     throw Failure(Exit::failed,
                   "the validation layer has " + std::to_string(messages.size()) + " complaints");
-}
-
-Delivered& delivered(const std::vector<Wanted>& wanted, FrameResult& result, Output what, size_t mode) {
-  const auto found = std::ranges::find_if(
-      wanted, [&](const Wanted& each) { return each.what == what && each.mode == mode; });
-  return result.delivered.at(size_t(found - wanted.begin()));
 }
 
 } // namespace unghost

@@ -11,6 +11,7 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include "app/commands.h"
+#include "app/measure/film.h"
 #include "app/rigs.h"
 #include "app/shot.h"
 #include "renderer/gpu/device.h"
@@ -44,19 +45,20 @@ public:
   /// between two frames.
   void render(std::span<const ModeRun> modes, const Wants& wants, const Take& take);
 
-  /// The same without anything wanted of the frames, for the times of their passes, a full-screen copy's
-  /// among them.
-  void render_timed(std::span<const ModeRun> modes, const Take& take);
+  /// The same frames on demand, for measurements; `drawn` is told of each, its work in frames of one mode.
+  /// Must not outlive this.
+  Film film(std::function<void(double work)> drawn = {});
 
   std::vector<PassSummary> passes() const;
   /// device, driver, software, validation, debug_build.
   nlohmann::json facts() const;
+  const DeviceFacts& device() const { return device_->facts(); }
   /// Says the timings that were asked for. Throws Failure(failed) where the validation layer complained.
   void finish() const;
 
 private:
   void say_banner() const;
-  FrameResult render_one(uint32_t frame, const FrameInput& input);
+  FrameResult render_one(const FrameInput& input);
   /// What is kept of a pass: a number a frame.
   struct PassRecord {
     size_t frames = 0;
@@ -77,8 +79,5 @@ private:
   std::map<std::string, PassRecord> pass_records_;
   uint64_t image_bytes_ = 0; // the most that a frame has
 };
-
-/// What came of the first Wanted of that kind and mode. It must have been wanted.
-Delivered& delivered(const std::vector<Wanted>& wanted, FrameResult& result, Output what, size_t mode = 0);
 
 } // namespace unghost

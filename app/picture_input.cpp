@@ -21,7 +21,7 @@
 #include "app/failure.h"
 #include "app/files.h"
 #include "app/measure/flip.h"
-#include "renderer/scene/gltf_pictures.h"
+#include "app/png_file.h"
 
 namespace unghost {
 namespace {
@@ -109,9 +109,8 @@ FloatImage read_hdr(const std::vector<uint8_t>& bytes) {
 LinearPicture decoded(const std::vector<uint8_t>& bytes) {
   if (begins_with(bytes, "\x76\x2f\x31\x01")) return {read_exr(bytes), true};
   if (begins_with(bytes, "#?")) return {read_hdr(bytes), true};
-  if (!begins_with(bytes, "\x89PNG")) throw Unreadable("it is no PNG, OpenEXR or Radiance HDR picture");
-  gltf::PictureBounds bounds{.side = longest_side, .bytes_left = 4 * most_pixels};
-  return {linear_from_srgb(gltf::decode_png(bytes, bounds)), false};
+  if (!is_png(bytes)) throw Unreadable("it is no PNG, OpenEXR or Radiance HDR picture");
+  return {linear_from_srgb(decode_png(bytes)), false};
 }
 
 } // namespace

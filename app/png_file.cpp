@@ -5,7 +5,9 @@
 
 #include <png.h>
 
+#include "app/command_line.h"
 #include "app/failure.h"
+#include "renderer/scene/gltf_pictures.h"
 
 namespace unghost {
 namespace {
@@ -80,6 +82,12 @@ std::vector<uint8_t> encode_png(const Image& picture, const std::string& text) {
   png_destroy_write_struct(&png, &info);
   if (!written) throw Failure(Exit::failed, "libpng could not encode the picture");
   return bytes;
+}
+
+Image decode_png(std::span<const uint8_t> bytes) {
+  constexpr uint64_t most_pixels = uint64_t(1) << 28;
+  gltf::PictureBounds bounds{.side = longest_side, .bytes_left = 4 * most_pixels};
+  return gltf::decode_png(bytes, bounds);
 }
 
 bool is_png(std::span<const uint8_t> bytes) {

@@ -210,7 +210,15 @@ void apply_assignments(const CommandLine& line, const std::vector<Assignment>& a
   }
 }
 
-// Figures compare the modes on the same geometry, which a jitter would move.
+// Errors are taken of modes that jitter alike.
+void refuse_jitter(const CommandLine& line, const std::vector<Assignment>& assignments) {
+  for (const Assignment& each : assignments)
+    if (each.row().name == "jitter")
+      refuse(line, each.of_file,
+             each.text + " has no effect: all modes that jitter are measured with the same ten points of R2");
+}
+
+// Run times compare the modes on the same geometry, which a jitter would move.
 void drop_jitter(const CommandLine& line, const std::vector<Assignment>& assignments, Shot& shot) {
   for (const Assignment& each : assignments)
     if (each.row().name == "jitter" || each.row().name == "jitter-scale")
@@ -218,11 +226,6 @@ void drop_jitter(const CommandLine& line, const std::vector<Assignment>& assignm
              each.text + " has no effect: " + shot.command +
                  " draws all modes without jitter, so that they share their geometry");
   for (ModeRun& run : shot.modes) run.taa.policy.jitter = Jitter::none;
-}
-
-// What a picture carries is JSON, which has no other names.
-bool is_utf8(const std::string& text) {
-  return json::parse(json(text).dump(-1, ' ', false, json::error_handler_t::replace)) == json(text);
 }
 
 void check_rig(const std::string& name) {
@@ -239,15 +242,15 @@ Shot shot_from(const CommandLine& line) {
   Shot shot;
   shot.command = line.command->name;
   shot.modes = default_modes(*line.command);
-  if (line.command->options & figures) shot.frames = 32, shot.rig = "pass";
-  if (line.command->options & timed) shot.frames = 31;
+  if (line.command->options & figures) shot.rig = "pass";
   std::vector<Assignment> assignments = apply_file_and_words(line, shot);
   check_rig(shot.rig);
   for (const std::string& text : line.assignments) {
     apply_setting(shot.settings, text); // refuses what is no assignment
     assignments.push_back({.text = text});
   }
-  if (line.command->options & (figures | timed)) drop_jitter(line, assignments, shot);
+  if (line.command->options & timed) drop_jitter(line, assignments, shot);
+  if (line.command->options & figures) refuse_jitter(line, assignments);
   apply_assignments(line, assignments, shot);
   return shot;
 }
@@ -272,6 +275,10 @@ json shot_json(const Shot& shot, uint32_t frames) {
         {{"name", run.name}, {"settings", settings_json(settings, SettingsPart::per_mode)}});
   }
   return object;
+}
+
+bool is_utf8(const std::string& text) {
+  return json::parse(json(text).dump(-1, ' ', false, json::error_handler_t::replace)) == json(text);
 }
 
 std::string text_of(PictureSize size) {

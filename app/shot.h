@@ -32,5 +32,7 @@ Shot shot_from(const CommandLine& line);
 /// What a picture of `shot` carries; `frames` of it were drawn when it was taken.
 nlohmann::json shot_json(const Shot& shot, uint32_t frames);
 std::string text_of(PictureSize size);
+/// What pictures and figures carry is JSON, which has no other words.
+bool is_utf8(const std::string& text);
 
 } // namespace unghost

@@ -26,6 +26,8 @@ struct Instant {
   double steer = 0;              // radians, to the left
   double animation_s = 0;        // the clock of the scene's own animations
   glm::dvec3 towards_sun{0, 1, 0};
+
+  bool operator==(const Instant&) const = default;
 };
 
 /// One that can be asked of a frame; those above `lit` once a mode, the rest once a jitter sequence (`mode`

@@ -59,13 +59,6 @@ namespace {
 /// Halton 1960, from its second point on: the first is the corner.
 glm::dvec2 halton(uint64_t n) { return {radical_inverse(n + 1, 2) - 0.5, radical_inverse(n + 1, 3) - 0.5}; }
 
-/// Roberts 2018: multiples of the plastic number's inverse powers.
-glm::dvec2 r2(uint64_t n) {
-  constexpr double plastic = 1.32471795724475;
-  const glm::dvec2 at = 0.5 + double(n) * glm::dvec2(1 / plastic, 1 / (plastic * plastic));
-  return glm::fract(at) - 0.5;
-}
-
 /// The GDK sample's.
 glm::dvec2 blue_noise(uint64_t n) {
   static constexpr double points[16][2] = {
@@ -77,6 +70,13 @@ glm::dvec2 blue_noise(uint64_t n) {
 }
 
 } // namespace
+
+// Multiples of the plastic number's inverse powers.
+glm::dvec2 r2_sequence(uint64_t n) {
+  constexpr double plastic = 1.32471795724475;
+  const glm::dvec2 at = 0.5 + double(n) * glm::dvec2(1 / plastic, 1 / (plastic * plastic));
+  return glm::fract(at) - 0.5;
+}
 
 glm::dvec2 jitter_offset(Jitter sequence, uint64_t index) {
   static constexpr double grid[4][2] = {{-.125, -.375}, {.375, -.125}, {-.375, .125}, {.125, .375}};
@@ -90,7 +90,7 @@ glm::dvec2 jitter_offset(Jitter sequence, uint64_t index) {
   case Jitter::blue_noise_16:
     return blue_noise(index % 16);
   case Jitter::r2_10:
-    return r2(index % 10);
+    return r2_sequence(index % 10);
   case Jitter::two_samples:
     return glm::dvec2(index % 2 == 0 ? -0.25 : 0.25);
   case Jitter::rotated_grid:

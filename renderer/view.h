@@ -12,6 +12,8 @@ void describe_camera(FrameConstants& constants, const FrameInput& input, glm::dv
 
 /// Offset of frame `index` in pixels, each axis in [-0.5, 0.5).
 glm::dvec2 jitter_offset(Jitter sequence, uint64_t index);
+/// Point `n` of R2, which never repeats (Roberts 2018), each axis in [-0.5, 0.5).
+glm::dvec2 r2_sequence(uint64_t n);
 
 /// Where on the picture a world position lies, in pixels without jitter; and its depth in metres along the
 /// view axis. Double precision throughout: the oracle for motion vectors. Not meaningful for depth <= 0.

@@ -19,4 +19,16 @@ FloatImage displayed(const FloatImage& linear, float exposure_ev) {
   return image;
 }
 
+Image displayed_8_bit(const FloatImage& linear, float exposure_ev) {
+  const FloatImage shown = displayed(linear, exposure_ev);
+  Image image{.name = {}, .width = linear.width, .height = linear.height, .rgba = {}};
+  image.rgba.reserve(size_t(linear.width) * linear.height * 4);
+  for (size_t i = 0; i < shown.values.size(); i += 3) {
+    for (size_t channel = 0; channel < 3; ++channel)
+      image.rgba.push_back(uint8_t(std::lround(shown.values[i + channel] * 255)));
+    image.rgba.push_back(255);
+  }
+  return image;
+}
+
 } // namespace unghost

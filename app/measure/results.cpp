@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <charconv>
-#include <set>
-#include <tuple>
 
 #include "app/failure.h"
 
@@ -13,11 +11,9 @@ namespace {
 using nlohmann::json;
 
 json json_of(const Timing& timing) {
-  return {{"host", timing.host},
-          {"rig", timing.rig},
-          {"rounds", timing.rounds},
-          {"copy_ms", timing.copy_ms},
-          {"motion_ms", timing.motion_ms}};
+  return {{"host", timing.host},           {"rig", timing.rig},
+          {"rounds", timing.rounds},       {"copy_ms", timing.copy_ms},
+          {"motion_ms", timing.motion_ms}, {"geometry_ms", timing.geometry_ms}};
 }
 
 /// Every figure has its place, `null` where there is none.
@@ -47,7 +43,8 @@ Timing timing_of(const json& object) {
           .rig = object.at("rig"),
           .rounds = object.at("rounds"),
           .copy_ms = object.at("copy_ms"),
-          .motion_ms = object.at("motion_ms")};
+          .motion_ms = object.at("motion_ms"),
+          .geometry_ms = object.at("geometry_ms")};
 }
 
 std::map<std::string, double> figures_of(const json& object) {
@@ -94,12 +91,14 @@ Measured read_measured(const json& object) {
              .scene = object.at("scene"),
              .rig = object.at("rig"),
              .seed = object.at("seed"),
+             .protocol = object.at("protocol"),
              .frames = object.at("frames"),
              .fill = object.at("fill"),
              .samples = object.at("reference_samples"),
              .error_frames = object.at("error_frames"),
              .settings = object.at("settings"),
              .set = object.at("set"),
+             .words = object.at("words"),
              .modes = {},
              .timing = {},
              .rows = {},
@@ -121,98 +120,6 @@ Measured read_measured(const json& object) {
   if (!std::ranges::equal(m.modes, m.rows, {}, &std::pair<std::string, json>::first, &MeasuredMode::mode))
     throw std::invalid_argument("its rows are not those of its modes");
   return m;
-}
-
-/// What must be alike for two to have seen the same frames, their modes aside.
-json identity_of(const Measured& m) {
-  return {m.scene, m.rig,    m.width,  m.height,  m.seed,       m.settings,   m.set,
-          m.build, m.device, m.driver, m.version, m.validation, m.debug_build};
-}
-
-bool saw_the_same(const Measured& a, const Measured& b) {
-  if (identity_of(a) != identity_of(b)) return false;
-  return std::ranges::all_of(a.modes, [&](const auto& mode) {
-    const auto other = std::ranges::find(b.modes, mode.first, &std::pair<std::string, json>::first);
-    return other == b.modes.end() || other->second == mode.second;
-  });
-}
-
-template <class Map> void join(Map& into, const Map& from) {
-  for (const auto& [key, value] : from) into.insert_or_assign(key, value);
-}
-
-bool is_time(const std::string& figure) {
-  static const std::set<std::string> times = {"added_ms", "p05", "p95", "over_copy", "over_naive"};
-  return times.contains(figure);
-}
-
-/// The times of `from`, or all but those.
-MeasuredMode part_of(const MeasuredMode& from, bool times) {
-  MeasuredMode part{.mode = from.mode, .figures = {}, .samples = {}};
-  for (const auto& [name, value] : from.figures)
-    if (is_time(name) == times) part.figures.emplace(name, value);
-  for (const auto& [name, value] : from.samples)
-    if (is_time(name) == times) part.samples.emplace(name, value);
-  return part;
-}
-
-void join_rows(Measured& into, const Measured& from, bool times) {
-  for (size_t i = 0; i < from.rows.size(); ++i) {
-    const MeasuredMode part = part_of(from.rows[i], times);
-    auto row = std::ranges::find(into.rows, part.mode, &MeasuredMode::mode);
-    if (row == into.rows.end()) {
-      into.modes.push_back(from.modes[i]);
-      into.rows.push_back({.mode = part.mode, .figures = {}, .samples = {}});
-      row = std::prev(into.rows.end());
-    }
-    join(row->figures, part.figures);
-    join(row->samples, part.samples);
-  }
-}
-
-/// All but the times.
-void join_errors(Measured& into, const Measured& from) {
-  join_rows(into, from, false);
-  into.frames = std::max(into.frames, from.frames), into.fill = std::max(into.fill, from.fill);
-  into.samples = std::max(into.samples, from.samples);
-  if (into.error_frames.empty()) into.error_frames = from.error_frames;
-  if (!into.convergence) into.convergence = from.convergence;
-  for (const Supersampled& one : from.supersampled) {
-    const auto same = std::ranges::find(into.supersampled, one.samples, &Supersampled::samples);
-    if (same == into.supersampled.end())
-      into.supersampled.push_back(one);
-    else
-      join(same->figures, one.figures);
-  }
-  into.kept.insert(into.kept.end(), from.kept.begin(), from.kept.end());
-}
-
-void join_times(Measured& into, const Measured& from) {
-  join_rows(into, from, true);
-  into.timing = from.timing;
-}
-
-Measured without_figures(const Measured& of) {
-  Measured bare = of;
-  bare.timing.reset(), bare.convergence.reset();
-  bare.modes.clear(), bare.rows.clear(), bare.supersampled.clear(), bare.kept.clear(),
-      bare.error_frames.clear();
-  return bare;
-}
-
-/// Those that saw the same frames: one entry, or one a host where there are times.
-std::vector<Measured> joined(const std::vector<const Measured*>& alike) {
-  std::map<std::string, Measured> by_host;
-  for (const Measured* part : alike)
-    if (part->timing)
-      join_times(by_host.try_emplace(part->timing->host, without_figures(*part)).first->second, *part);
-  if (by_host.empty()) by_host.emplace("", without_figures(*alike.front()));
-  std::vector<Measured> entries;
-  for (auto& [host, entry] : by_host) {
-    for (const Measured* part : alike) join_errors(entry, *part);
-    entries.push_back(std::move(entry));
-  }
-  return entries;
 }
 
 } // namespace
@@ -247,12 +154,14 @@ json measured_json(const Measured& m) {
                  {"rig", m.rig},
                  {"size", std::to_string(m.width) + "x" + std::to_string(m.height)},
                  {"seed", m.seed},
+                 {"protocol", m.protocol},
                  {"frames", m.frames},
                  {"fill", m.fill},
                  {"reference_samples", m.samples},
                  {"error_frames", m.error_frames},
                  {"settings", m.settings},
                  {"set", m.set},
+                 {"words", m.words},
                  {"modes", json::array()},
                  {"timing", m.timing ? json_of(*m.timing) : json()},
                  {"rows", json::array()},
@@ -304,27 +213,6 @@ Results results_from_json(const json& object, const std::string& where) {
   Results results{.protocol = object.value("protocol", "custom"), .scenes = {}};
   for (const json& scene : object.at("scenes")) results.scenes.push_back(measured_from_json(scene, where));
   return results;
-}
-
-std::vector<Measured> merged(std::vector<Measured> parts) {
-  const auto order = [](const Measured& m) {
-    return std::tuple(m.scene, m.seed, m.width * uint64_t(m.height), m.rig, measured_json(m).dump());
-  };
-  std::ranges::sort(parts, {}, order);
-  std::vector<std::vector<const Measured*>> groups;
-  for (const Measured& part : parts) {
-    const auto same = std::ranges::find_if(groups, [&](const auto& group) {
-      return std::ranges::all_of(group, [&](const Measured* other) { return saw_the_same(part, *other); });
-    });
-    if (same == groups.end())
-      groups.push_back({&part});
-    else
-      same->push_back(&part);
-  }
-  std::vector<Measured> entries;
-  for (const auto& alike : groups)
-    for (Measured& entry : joined(alike)) entries.push_back(std::move(entry));
-  return entries;
 }
 
 } // namespace unghost

@@ -44,10 +44,11 @@ struct Convergence {
   std::vector<ConvergenceCurve> curves;
 };
 
-/// The mean of `samples` jittered frames: what a mode must beat.
+/// The mean of `samples` jittered frames: what a mode must beat. Each sample after the first adds the time of
+/// the geometry (Timing::geometry_ms).
 struct Supersampled {
   uint32_t samples = 1;
-  std::map<std::string, double> figures; // those of MeasuredMode; added_ms: of the samples after the first
+  std::map<std::string, double> figures; // those of MeasuredMode but the times
 };
 
 /// A frame that was kept for the eye. Files are PNG, relative to the folder of the shard.
@@ -64,7 +65,7 @@ struct KeptFrame {
 struct Timing {
   std::string host, rig;
   uint32_t rounds = 0;
-  double copy_ms = 0, motion_ms = 0; // medians
+  double copy_ms = 0, motion_ms = 0, geometry_ms = 0; // medians; the last of what all modes share
 };
 
 /// One scene, rig and size; all modes saw the same frames.
@@ -74,11 +75,13 @@ struct Measured {
   std::string scene, rig;
   uint32_t width = 0, height = 0;
   uint64_t seed = 1;
+  std::string protocol;               // quick, full, or custom where it was changed
   uint32_t frames = 0, fill = 0;      // drawn in all, of them before the first that counts
   uint32_t samples = 0;               // of a supersampled frame
   std::vector<uint32_t> error_frames; // of which there is a supersampled one
   nlohmann::json settings;            // shared by all modes
   std::vector<std::string> set;       // name=value, what was asked for beyond the defaults
+  std::vector<std::string> words;     // of the command, without -o; none where several were joined
   std::vector<std::pair<std::string, nlohmann::json>> modes; // each mode's name and own settings
   std::optional<Timing> timing;
   std::vector<MeasuredMode> rows; // one a mode, in the order of `modes`
@@ -103,8 +106,8 @@ Results results_from_json(const nlohmann::json& object, const std::string& where
 std::string results_csv(const Results& results);
 
 /// Joins what was measured of the same frames: figures of one scene, rig, size, seed, settings, program and
-/// driver meet in one entry, each mode once. Times are kept apart by host; errors go into the entry of each.
-/// The order does not depend on the order of `parts`.
+/// driver meet in one entry, each mode once, without words. Times are kept apart by host; errors go into the
+/// entry of each. The order does not depend on the order of `parts`.
 std::vector<Measured> merged(std::vector<Measured> parts);
 
 } // namespace unghost

@@ -6,30 +6,39 @@
 namespace unghost {
 namespace {
 
-// One direction: `count` samples `stride` floats apart, with `channels` floats a sample.
-void smooth_line(const float* from, float* to, int count, size_t stride, uint32_t channels,
-                 std::span<const float> weights) {
-  const int radius = int(weights.size() / 2);
-  for (int i = 0; i < count; ++i)
-    for (uint32_t c = 0; c < channels; ++c) {
-      float sum = 0;
-      for (int k = -radius; k <= radius; ++k)
-        sum += weights[size_t(k + radius)] * from[size_t(std::clamp(i + k, 0, count - 1)) * stride + c];
-      to[size_t(i) * stride + c] = sum;
-    }
+// `count` floats of which each is a sum of those around it, `stride` apart, between ends that were extended.
+void smooth_along(const float* __restrict from, float* __restrict to, size_t count, size_t stride,
+                  std::span<const float> weights) {
+  for (size_t i = 0; i < count; ++i) to[i] = weights[0] * from[i];
+  for (size_t k = 1; k < weights.size(); ++k)
+    for (size_t i = 0; i < count; ++i) to[i] += weights[k] * from[i + k * stride];
 }
 
 } // namespace
 
 FloatImage smoothed(const FloatImage& image, std::span<const float> weights) {
+  const size_t row = size_t(image.width) * image.channels, radius = weights.size() / 2;
+  const size_t pad = radius * image.channels;
   FloatImage across = image, both = image;
-  const size_t row = size_t(image.width) * image.channels;
-  for (uint32_t y = 0; y < image.height; ++y)
-    smooth_line(&image.values[y * row], &across.values[y * row], int(image.width), image.channels,
-                image.channels, weights);
-  for (uint32_t x = 0; x < image.width; ++x)
-    smooth_line(&across.values[size_t(x) * image.channels], &both.values[size_t(x) * image.channels],
-                int(image.height), row, image.channels, weights);
+  std::vector<float> extended(row + 2 * pad);
+  for (size_t y = 0; y < image.height; ++y) {
+    const float* from = &image.values[y * row];
+    std::copy_n(from, row, &extended[pad]);
+    for (size_t i = 0; i < pad; ++i) {
+      extended[i] = from[i % image.channels];
+      extended[pad + row + i] = from[row - image.channels + i % image.channels];
+    }
+    smooth_along(extended.data(), &across.values[y * row], row, image.channels, weights);
+  }
+  for (size_t y = 0; y < image.height; ++y) {
+    float* to = &both.values[y * row];
+    std::fill_n(to, row, 0.0f);
+    for (size_t k = 0; k < weights.size(); ++k) {
+      const size_t at = std::clamp<size_t>(y + k, radius, image.height - 1 + radius) - radius;
+      const float* from = &across.values[at * row];
+      for (size_t i = 0; i < row; ++i) to[i] += weights[k] * from[i];
+    }
+  }
   return both;
 }
 

@@ -35,15 +35,17 @@ void TrailMeter::add(std::span<const PixelHistory> pixels, const TrailImages& im
   const FloatImage blurred = seen(gaussian_3x3(images.aliased));
   for (size_t mode = 0; mode < modes_.size(); ++mode) {
     const FloatImage resolved = seen(*images.resolved[mode]);
+    Sums& frame = modes_[mode].frames.emplace_back();
     for (size_t pixel = 0; pixel < pixels.size(); ++pixel) {
       if (!counts(pixels[pixel])) continue;
       const Vec ghost = difference(accumulated, aliased, pixel);
       const double kept = std::max(0.0, dot(difference(resolved, aliased, pixel), ghost));
       const double blur = std::max(0.0, dot(difference(blurred, aliased, pixel), ghost));
       const bool surface = pixels[pixel].change == Change::surface;
-      Sums& sums = surface ? modes_[mode].surface : modes_[mode].shadow;
-      sums.remaining += std::max(0.0, kept - blur);
-      sums.all += dot(ghost, ghost);
+      for (Sums* sums : {surface ? &modes_[mode].surface : &modes_[mode].shadow, &frame}) {
+        sums->remaining += std::max(0.0, kept - blur);
+        sums->all += dot(ghost, ghost);
+      }
     }
   }
 }
@@ -52,7 +54,7 @@ Trail TrailMeter::trail_of(size_t mode) const {
   const auto share = [](double remaining, double all) {
     return all > 0 ? std::optional(remaining / all) : std::nullopt;
   };
-  const auto& [surface, shadow] = modes_.at(mode);
+  const auto& [surface, shadow, frames] = modes_.at(mode);
   return {.whole = share(surface.remaining + shadow.remaining, surface.all + shadow.all),
           .surface = share(surface.remaining, surface.all),
           .shadow = share(shadow.remaining, shadow.all)};

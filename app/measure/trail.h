@@ -26,6 +26,10 @@ struct TrailImages {
 
 class TrailMeter {
 public:
+  struct Sums {
+    double remaining = 0, all = 0;
+  };
+
   TrailMeter(size_t modes, float exposure_ev) : modes_(modes), exposure_ev_(exposure_ev) {}
 
   /// With A the aliased, H the accumulated, R a mode's resolved image and B the 3x3 Gaussian of A, all as
@@ -33,13 +37,13 @@ public:
   /// <B-A, H-A>)) and |H-A|^2 of the pixels that count. `pixels` as many as the images have.
   void add(std::span<const PixelHistory> pixels, const TrailImages& images);
   Trail trail_of(size_t mode) const;
+  /// Surfaces and shadows together, a frame each.
+  const std::vector<Sums>& frames_of(size_t mode) const { return modes_.at(mode).frames; }
 
 private:
-  struct Sums {
-    double remaining = 0, all = 0;
-  };
   struct ModeSums {
     Sums surface, shadow;
+    std::vector<Sums> frames;
   };
 
   std::vector<ModeSums> modes_;

@@ -10,8 +10,9 @@ namespace {
 // A GPU that takes longer hangs; a software device may just have been given much to do.
 constexpr uint64_t longest_wait_ns = 60'000'000'000;
 
-/// The device that is asked for, or the first usable one, a GPU before a CPU.
-size_t choose(const std::vector<DeviceFacts>& all, const std::string& which) {
+} // namespace
+
+size_t chosen_device(const std::vector<DeviceFacts>& all, const std::string& which) {
   const bool by_index = !which.empty() && which.find_first_not_of("0123456789") == std::string::npos;
   for (size_t i = 0; i < all.size(); ++i) {
     const bool asked = which.empty() ? all[i].usable && !all[i].software
@@ -32,8 +33,6 @@ size_t choose(const std::vector<DeviceFacts>& all, const std::string& which) {
   if (all.empty()) sentence += "; install a driver (on Debian: mesa-vulkan-drivers) or see VK_DRIVER_FILES";
   throw GpuError(GpuFault::no_device, sentence);
 }
-
-} // namespace
 
 void check(VkResult result, const char* doing) {
   if (result >= VK_SUCCESS) return;
@@ -56,7 +55,7 @@ Device::Device(const DeviceRequest& request) {
     const auto physical = physical_devices(instance_);
     std::vector<DeviceFacts> all;
     for (const VkPhysicalDevice one : physical) all.push_back(facts_of(one));
-    const size_t chosen = choose(all, request.which);
+    const size_t chosen = chosen_device(all, request.which);
     facts_ = all[chosen];
     create_device(physical[chosen]);
     if (request.validate)

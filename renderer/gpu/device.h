@@ -18,13 +18,17 @@ struct DeviceFacts {
 };
 
 struct DeviceRequest {
-  std::string which;     // index or part of a name; empty: the first usable one, a GPU before a CPU
+  std::string which;     // as chosen_device has it
   bool validate = false; // core and synchronization validation
 };
 
 /// Every device the loader finds, usable or not. Throws GpuError(no_device) where there is no loader or
 /// driver.
 std::vector<DeviceFacts> list_devices();
+
+/// Which of `all` a request for `which` gets: by index or part of a name; empty: the first usable one, a GPU
+/// before a CPU. Throws GpuError(no_device).
+size_t chosen_device(const std::vector<DeviceFacts>& all, const std::string& which);
 
 class Device {
 public:

@@ -167,8 +167,8 @@ TEST(Shot, AllModesAreAllRows) {
   for (size_t i = 0; i < shot.modes.size(); ++i) EXPECT_EQ(shot.modes[i].name, taa_modes()[i].name);
 }
 
-TEST(Shot, AMeasurementSaysThatItHasNoJitter) {
-  const nlohmann::json said = shot_json(shot_of({"measure"}), 32);
+TEST(Shot, RunTimesHaveNoJitterAndMeasurementsOneOfTheirOwn) {
+  const nlohmann::json said = shot_json(shot_of({"bench"}), 32);
   for (const auto& mode : said.at("modes")) EXPECT_EQ(mode.at("settings").at("jitter"), "none");
   const ScratchFolder folder;
   const auto file = folder.file("moved.json", R"({"jitter": "halton-8"})");

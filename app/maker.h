@@ -1,0 +1,21 @@
+// What measures: which build of the program on which device. Measurements of one maker are alike to the bit.
+#pragma once
+
+#include <string>
+
+namespace unghost {
+
+struct Maker {
+  std::string version, build, device, driver;
+
+  bool operator==(const Maker&) const = default;
+};
+
+/// This program on the device of that name or index. Throws GpuError where there is none.
+Maker this_maker(const std::string& device);
+/// Of this machine.
+std::string host_name();
+/// 16 digits that differ between builds: of the bytes of the program and of its shaders.
+const std::string& build_of_program();
+
+} // namespace unghost

@@ -1,0 +1,131 @@
+// Error and flicker: frames in motion with jitter, against supersampled frames at the same instants.
+#include <algorithm>
+
+#include "app/measure/flicker.h"
+#include "app/measure/kept_frames.h"
+#include "app/measure/measure_parts.h"
+
+namespace unghost {
+namespace {
+
+/// What is compared with a supersampled frame: a mode, or means of fewer samples.
+struct Contender {
+  MeasuredMode figures;
+  FloatImage last_excess;
+};
+
+class Errors {
+public:
+  Errors(const Measurement& m, Measured& into)
+      : m_(m), into_(into), contenders_(m.modes.size() + std::size(supersampling_steps)),
+        keeper_(m, "error", true) {}
+
+  /// Before any mode is drawn: other pictures between its frames would end its history.
+  void draw_references() {
+    std::optional<uint32_t> last;
+    for (const uint32_t frame : reference_frames(m_.protocol)) {
+      const bool at_rest = last && same_moment(m_.film, *last, frame);
+      references_.emplace(frame, at_rest ? references_.at(*last) : drawn(frame));
+      last = frame;
+    }
+  }
+  bool wanted(uint32_t frame) const { return references_.contains(frame); }
+
+  void take(uint32_t frame, const std::vector<Wanted>& wanted, FrameResult& result) {
+    const SupersampledFrame& supersampled = references_.at(frame);
+    const SeenPicture reference = seen(supersampled.reference);
+    if (asks(m_, Aspect::flicker)) take_surfaces(wanted, result);
+    for (size_t mode = 0; mode < m_.modes.size(); ++mode) {
+      const Image& picture = delivered(wanted, result, Output::display, mode).picture;
+      const double flip = judge(contenders_[mode], picture, supersampled.reference, reference);
+      keeper_.offer({.mode = mode,
+                     .frame = frame,
+                     .flip = flip,
+                     .picture = picture,
+                     .reference = supersampled.reference});
+    }
+    for (size_t step = 0; step < std::size(supersampling_steps); ++step)
+      judge(contenders_[m_.modes.size() + step], supersampled.fewer[step], supersampled.reference, reference);
+    has_last_ = !has_last_; // the first of a pair is the second's last frame
+  }
+
+  void finish() {
+    for (size_t mode = 0; mode < m_.modes.size(); ++mode)
+      for (const auto& [figure, samples] : contenders_[mode].figures.samples)
+        into_.rows[mode].samples[figure] = samples;
+    for (const char* figure : {"error", "flicker"}) set_means(into_, figure);
+    for (size_t step = 0; step < std::size(supersampling_steps); ++step) {
+      // the same samples every frame: a ghost or a shimmer they cannot have
+      Supersampled one{.samples = supersampling_steps[step], .figures = {{"ghosting", 0}, {"shimmer", 0}}};
+      for (const auto& [figure, samples] : contenders_[m_.modes.size() + step].figures.samples)
+        one.figures[figure] = mean_of(samples);
+      into_.supersampled.push_back(one);
+    }
+    keeper_.finish(into_);
+  }
+
+private:
+  SupersampledFrame drawn(uint32_t frame) const {
+    return supersampled(m_.film, frame, m_.protocol.samples, m_.references);
+  }
+
+  void take_surfaces(const std::vector<Wanted>& wanted, FrameResult& result) {
+    motion_ = delivered(wanted, result, Output::motion, m_.modes.size()).image;
+    steadiness_.advance(surfaces_of(wanted, result, m_.modes.size()));
+  }
+
+  double judge(Contender& contender, const Image& picture, const Image& reference,
+               const SeenPicture& seen_reference) {
+    const double flip = mean_flip(seen_reference, seen(picture));
+    if (asks(m_, Aspect::error)) add_sample(contender.figures, "error", flip);
+    if (!asks(m_, Aspect::flicker)) return flip;
+    FloatImage now = excess(picture, reference);
+    if (has_last_)
+      if (const auto value = flicker_between(contender.last_excess, now, motion_, steadiness_.pixels()))
+        add_sample(contender.figures, "flicker", *value);
+    contender.last_excess = std::move(now);
+    return flip;
+  }
+
+  const Measurement& m_;
+  Measured& into_;
+  std::vector<Contender> contenders_; // the modes, then the steps of supersampling
+  std::map<uint32_t, SupersampledFrame> references_;
+  Steadiness steadiness_;
+  FloatImage motion_;
+  bool has_last_ = false;
+  FrameKeeper keeper_;
+};
+
+} // namespace
+
+std::vector<uint32_t> reference_frames(const Protocol& protocol) {
+  std::vector<uint32_t> frames;
+  const uint32_t pairs = std::max(1u, protocol.references / 2);
+  for (uint32_t pair = 1; pair <= pairs; ++pair) {
+    const uint32_t second = protocol.fill + protocol.measured * pair / pairs - 1;
+    frames.insert(frames.end(), {second - 1, second});
+  }
+  return frames;
+}
+
+void measure_error(const Measurement& m, Measured& into) {
+  std::vector<ModeRun> runs = jittered(m.modes);
+  runs.push_back({.name = "surfaces", .taa = {}}); // without jitter: what was visible where
+  Errors errors(m, into);
+  errors.draw_references();
+  for (uint32_t frame = 0; frame <= last_frame(m.protocol); ++frame) {
+    FrameInput input = m.film.at(frame);
+    input.modes = runs;
+    if (errors.wanted(frame)) {
+      if (asks(m, Aspect::flicker)) input.wanted = surfaces_wanted(m.modes.size());
+      for (size_t mode = 0; mode < m.modes.size(); ++mode) input.wanted.push_back({Output::display, mode});
+    }
+    FrameResult result = m.film.draw(input);
+    if (errors.wanted(frame)) errors.take(frame, input.wanted, result);
+  }
+  errors.finish();
+  into.error_frames = reference_frames(m.protocol), into.samples = m.protocol.samples;
+}
+
+} // namespace unghost

@@ -1,0 +1,32 @@
+// What the protocols have in common; protocols.h is for those who measure.
+#pragma once
+
+#include "app/measure/flip.h"
+#include "app/measure/protocols.h"
+#include "app/measure/steadiness.h"
+
+namespace unghost {
+
+void measure_motion(const Measurement& m, Measured& into);      // ghosting, trail
+void measure_rest(const Measurement& m, Measured& into);        // shimmer
+void measure_error(const Measurement& m, Measured& into);       // error, flicker
+void measure_convergence(const Measurement& m, Measured& into); // convergence
+void measure_time(const Measurement& m, Measured& into);        // run_time
+
+/// The modes with the jitter that all share, R2's ten points (Ikkala et al. 2024); those that keep none have
+/// none, and those that mix two input frames keep their own two samples, which are the whole of what they
+/// mix.
+std::vector<ModeRun> jittered(const std::vector<ModeRun>& modes);
+
+/// What Steadiness reads, of the geometry that `mode` has.
+std::vector<Wanted> surfaces_wanted(size_t mode = 0);
+Surfaces surfaces_of(const std::vector<Wanted>& wanted, FrameResult& result, size_t mode = 0);
+
+/// To 9 significant digits: more say nothing, and make files large.
+double rounded(double value);
+double mean_of(const std::vector<double>& samples);
+void add_sample(MeasuredMode& row, const char* figure, double value);
+/// The figure of each row becomes the mean of its samples.
+void set_means(Measured& into, const char* figure);
+
+} // namespace unghost

@@ -1,0 +1,24 @@
+// The charts of one scene, rig and size.
+#pragma once
+
+#include "app/measure/report/chart.h"
+
+namespace unghost {
+
+using Looks = std::map<std::string, Look>;
+
+/// The figures that are weighed against time: each has its work-precision diagram.
+std::vector<const FigureKind*> judged_by();
+/// Those of them that any mode has.
+std::vector<const FigureKind*> errors_in(const Measured& m);
+/// Of rows with that figure and a time, by rising time: indices of m.rows. A mode that adds no time is the
+/// aliased frame; what is measured against that frame (no jitter) says nothing of it.
+std::vector<size_t> front_of(const Measured& m, std::string_view figure);
+
+/// Where there is nothing to show, there is no chart.
+std::vector<Chart> work_precision(const Measured& m, const Looks& looks, const std::string& id);
+std::vector<Chart> convergence_charts(const Measured& m, const Looks& looks, const std::string& id);
+std::vector<Chart> time_charts(const Measured& m, const Looks& looks, const std::string& id);
+std::vector<Chart> trail_charts(const Measured& m, const Looks& looks, const std::string& id);
+
+} // namespace unghost

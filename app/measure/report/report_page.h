@@ -1,0 +1,24 @@
+// The report: one HTML file of what was measured, which opens without a network.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/measure/results.h"
+#include "renderer/scene/scene.h"
+
+namespace unghost {
+
+/// A frame's picture that a shard kept; `file` as in KeptFrame. Nothing where it is not there.
+using FindPicture = std::function<std::optional<Image>(const KeptFrame&, const std::string& file)>;
+/// Measured explanations, plain text: shown beside the comparison with the paper.
+struct PageNotes {
+  std::vector<std::string> paragraphs;
+};
+
+/// UTF-8. The same bytes for the same data. What was not measured is not there.
+std::string report_page(const Results& results, const FindPicture& pictures, const PageNotes& notes);
+
+} // namespace unghost

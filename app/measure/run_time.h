@@ -1,0 +1,35 @@
+// What each mode adds to a frame, from timestamps of the device. The modes take turns within each round,
+// beside their naive resolves and a full-screen copy, so that a slow minute slows all of them.
+#pragma once
+
+#include <vector>
+
+#include "app/measure/film.h"
+
+namespace unghost {
+
+/// A number a round each; empty where there is nothing to compare with.
+struct ModeTimes {
+  std::vector<double> added_ms, resolve_ms; // of all passes that `off` has not, and of the resolve alone
+  std::vector<double> over_copy, over_naive, over_no_rejection; // of the resolve
+};
+struct RunTimes {
+  std::vector<ModeTimes> modes;
+  std::vector<double> copy_ms, motion_ms;
+  std::vector<double> geometry_ms; // what is drawn once for all modes: shadows, G-buffer, light
+};
+
+/// Draws `rounds` frames of the rig after some that warm up. Naive resolves and rows without their rejection
+/// are drawn in the first of them only. No mode may have a jitter.
+RunTimes time_modes(const Film& film, const std::vector<ModeRun>& modes, uint32_t rounds);
+/// Times of all passes of a frame, ms, medians of rounds: of one frame with all modes, and of frames of one
+/// mode each, in sum. Each is the second of two frames, so that histories are there.
+struct Sharing {
+  double together_ms = 0, alone_ms = 0;
+};
+Sharing time_sharing(const Film& film, const std::vector<ModeRun>& modes, uint32_t rounds);
+
+/// What all its frames take, as work_of(FrameInput) counts.
+double timed_work(const std::vector<ModeRun>& modes, uint32_t rounds);
+
+} // namespace unghost

@@ -1,0 +1,80 @@
+#include "app/measuring_options.h"
+
+#include "app/measure/protocols.h"
+#include "app/option_checks.h"
+
+namespace unghost {
+namespace {
+
+template <class Row> std::vector<std::string> words_of(std::span<const Row> rows) {
+  std::vector<std::string> words;
+  for (const Row& row : rows) words.emplace_back(row.word);
+  return words;
+}
+
+std::string listed(const std::vector<std::string>& words) {
+  std::string list;
+  for (const std::string& word : words) list += (list.empty() ? "" : ", ") + word;
+  return list;
+}
+
+void add_figures(CLI::App& app, MeasureWords& measure) {
+  app.add_option("--what", measure.what,
+                 "Which figures, with commas: " + listed(words_of(aspects())) +
+                     " (default all but the last two)")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->check(no_option);
+  app.add_option("--protocol", measure.protocol,
+                 "quick (the default: 16 + 16 frames) or full (100 + 100, 1000 rounds)")
+      ->check(CLI::IsMember(words_of(protocols())));
+  app.add_option("--keep", measure.keep,
+                 "Frames as PNG beside the .json file: none (the default), worst, or all that were judged")
+      ->check(CLI::IsMember(words_of(keep_words())));
+}
+
+void add_report(CLI::App& app, CommandLine& line) {
+  app.add_flag("--quick,!--no-quick", line.report.quick,
+               "640x360 and 320x180, 16 + 16 frames (the default): minutes");
+  app.add_flag(
+      "--full,!--no-full", line.report.full,
+      "1280x720 and 640x360, 100 + 100 frames, 1000 rounds: an hour or two; goes on where it was ended");
+  app.add_option("--from", line.report.from,
+                 "Measurements, files or folders, of which the page is written; nothing is measured")
+      ->check(no_option);
+  app.add_option("--baseline", line.report.baseline, "An older results.json: what is better, worse, or noise")
+      ->check(no_option);
+  add_number(app, "--allow", line.report.allow, 0, 100,
+             "The share by which a figure may be worse than in the baseline (default 0.05)");
+  app.add_option("-o,--output", line.output, "The folder of the page; made where it is not there");
+}
+
+void add_sweep(CLI::App& app, const CommandRow& row, CommandLine& line) {
+  constexpr const char* folder = "The folder of the measurements; made where it is not there";
+  if (row.options & sweep_plan) {
+    app.add_option("PLAN", line.sweep.plan, "A JSON file of what to measure");
+    app.add_flag("--list,!--no-list", line.sweep.list, "Print one command a line in place of running them");
+    app.add_option("-o,--output", line.output, folder);
+  }
+  if (row.options & job_list) {
+    app.add_option("JOBS", line.sweep.jobs, "What sweep --list printed");
+    app.add_option("N", line.sweep.line, "Which line, from 1")->check(CLI::Range(1u, UINT32_MAX));
+    app.add_option("-o,--output", line.output, folder);
+  }
+  if (row.options & shard_list) {
+    app.add_option("SHARDS", line.sweep.shards, "Folders of measurements, and single files");
+    app.add_option("-o,--output", line.output, "The file of results; - is standard output");
+  }
+}
+
+} // namespace
+
+void add_measuring(CLI::App& app, const CommandRow& row, CommandLine& line) {
+  if (row.options & figures) add_figures(app, line.measure);
+  if (row.options & figures_out)
+    app.add_option("-o,--output", line.output, "A .json file for all figures; - is standard output");
+  if (row.options & report_choice) add_report(app, line);
+  add_sweep(app, row, line);
+}
+
+} // namespace unghost

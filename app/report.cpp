@@ -1,0 +1,118 @@
+// `unghost report`: every measurement of a scene, and one page of them.
+#include <algorithm>
+#include <iterator>
+
+#include <nlohmann/json.hpp>
+
+#include "app/baseline_table.h"
+#include "app/failure.h"
+#include "app/files.h"
+#include "app/measure/baseline.h"
+#include "app/measure/report/report_page.h"
+#include "app/measuring.h"
+#include "app/png_file.h"
+#include "app/progress.h"
+#include "app/report_notes.h"
+#include "app/report_plan.h"
+#include "app/shards.h"
+
+namespace unghost {
+namespace {
+
+namespace fs = std::filesystem;
+
+void check_words(const CommandLine& line) {
+  if (line.output.empty() || line.output == "-") throw WrongWords("report wants -o FOLDER");
+  if (line.report.quick && line.report.full) throw WrongWords("--quick and --full do not go together");
+  if (line.report.allow && !line.report.baseline)
+    throw WrongWords("--allow says how much worse than --baseline is no regression, and there is none");
+  if (!line.report.from.empty() && (line.report.quick || line.report.full || line.scene || line.rig))
+    throw WrongWords("--from reads what was measured, so that there is nothing to choose");
+}
+
+/// Measures what is not in the folder yet.
+void measure_all_of(const std::vector<Job>& jobs, const fs::path& folder, Console& console) {
+  std::ostream nowhere(nullptr); // a table a job would say nothing
+  Console of_jobs{.out = nowhere, .err = console.err, .quiet = true, .verbose = false, .terminal = false};
+  double work = 0;
+  for (const Job& job : jobs) work += work_of(MeasurePlan(command_line_of(job.words)));
+  Progress progress(console, work);
+  of_jobs.progress = &progress;
+  const Worker worker = this_process();
+  for (const Job& job : jobs) {
+    const double before = progress.done();
+    progress.name(job.shard.substr(0, job.shard.rfind('-')));
+    const double of_job = work_of(MeasurePlan(command_line_of(job.words)));
+    if (make_shard(job, folder, worker, of_jobs))
+      progress.skip(of_job - (progress.done() - before)); // an estimate: what it took is known now
+    else
+      progress.skip(of_job);
+  }
+}
+
+void write_text(const fs::path& file, const std::string& text) {
+  write_file(file, {reinterpret_cast<const uint8_t*>(text.data()), text.size()});
+}
+
+std::optional<Image> find_picture(const fs::path& folder, const std::string& file) {
+  const fs::path path = folder / file;
+  std::error_code ignored;
+  if (file.empty() || !fs::is_regular_file(path, ignored)) return std::nullopt;
+  try {
+    return decode_png(read_file(path, size_t(1) << 30));
+  } catch (const std::exception& error) {
+    throw Failure(Exit::input_refused, path.string() + ": " + error.what());
+  }
+}
+
+/// What `line` asks for: measured, or read.
+Results results_for(const CommandLine& line, const std::vector<Job>& jobs, const fs::path& folder,
+                    Console& console) {
+  if (!line.report.from.empty())
+    return results_of(line.report.from, folder, (folder / "results.json").string());
+  const fs::path shards = folder / "measured";
+  measure_all_of(jobs, shards, console);
+  std::vector<std::string> files;
+  for (const Job& job : jobs) files.push_back((shards / job.shard).string());
+  return results_of(files, folder);
+}
+
+void compare_with_baseline(const CommandLine& line, const Results& results, Console& console) {
+  const fs::path file = *line.report.baseline;
+  const Results baseline = results_from_json(read_json(file), file.string());
+  constexpr double allowed = 0.05;
+  const BaselineComparison comparison = compared_with(baseline, results, line.report.allow.value_or(allowed));
+  console.out << (line.json ? comparison_json(comparison).dump(2) + "\n" : comparison_text(comparison));
+  if (const size_t count = regressions(comparison); count > 0) {
+    console.out.flush();
+    throw Failure(Exit::failed, std::to_string(count) + " figures are worse than in " + file.string() +
+                                    " by more than is allowed");
+  }
+}
+
+} // namespace
+
+void report(const CommandLine& line, Console& console) {
+  check_words(line);
+  const fs::path folder = line.output;
+  if (line.report.baseline) // before the work
+    results_from_json(read_json(*line.report.baseline), *line.report.baseline);
+  const std::vector<Job> jobs = line.report.from.empty() ? report_jobs(line) : std::vector<Job>{};
+  make_folder(folder);
+  const Results results = results_for(line, jobs, fs::absolute(folder).lexically_normal(), console);
+  const auto find = [&](const KeptFrame&, const std::string& file) { return find_picture(folder, file); };
+  write_text(folder / "results.json", results_json(results).dump(1) + "\n");
+  write_text(folder / "results.csv", results_csv(results));
+  write_text(folder / "index.html", report_page(results, find, report_notes(results)));
+  if (line.report.baseline) return compare_with_baseline(line, results, console);
+  if (line.json)
+    console.out << nlohmann::json{{"file", (folder / "index.html").string()},
+                                  {"results", (folder / "results.json").string()},
+                                  {"scenes", results.scenes.size()}}
+                       .dump(2)
+                << "\n";
+  else if (!console.quiet)
+    console.err << (folder / "index.html").string() << "\n";
+}
+
+} // namespace unghost

@@ -1,0 +1,71 @@
+#include "app/report_plan.h"
+
+#include "app/measuring.h"
+#include "app/rigs.h"
+
+namespace unghost {
+namespace {
+
+constexpr const char* timed_rig = "drive"; // what a mode adds hardly depends on the rig
+
+/// Sizes to tell apart what depends on one; pictures are kept of the one that a page can hold.
+struct Sizes {
+  std::vector<PictureSize> measured;
+  PictureSize kept;
+};
+Sizes sizes_of(const CommandLine& line) {
+  if (line.size) return {{*line.size}, *line.size};
+  if (line.report.full) return {{{1280, 720}, {640, 360}}, {640, 360}};
+  return {{{640, 360}, {320, 180}}, {640, 360}};
+}
+
+std::vector<std::string> rigs_of(const CommandLine& line) {
+  if (line.rig) return {*line.rig};
+  std::vector<std::string> names;
+  for (const Rig& rig : rigs()) names.emplace_back(rig.name);
+  return names;
+}
+
+/// Of one scene, rig and size.
+Job job_of(const CommandLine& line, const std::string& rig, PictureSize size, const Words& more) {
+  Words words = {"measure", line.scene.value_or(own_scene),
+                 "--rig",   rig,
+                 "--size",  text_of(size),
+                 "--seed",  std::to_string(line.seed.value_or(Shot{}.seed))};
+  const auto add = [&](const char* option, const std::string& value) {
+    if (!value.empty()) words.insert(words.end(), {option, value});
+  };
+  std::string modes;
+  for (const std::string& mode : line.modes) modes += (modes.empty() ? "" : ",") + mode;
+  add("--modes", modes);
+  for (const std::string& assignment : line.assignments) add("--set", assignment);
+  add("--settings", line.settings.string());
+  if (line.frames) add("--frames", std::to_string(*line.frames));
+  if (line.rounds) add("--rounds", std::to_string(*line.rounds));
+  add("--device", line.device);
+  if (line.validate) words.push_back("--validate");
+  add("--protocol", line.report.full ? "full" : "quick");
+  words.insert(words.end(), more.begin(), more.end());
+  return {.words = words, .shard = shard_name(words)};
+}
+
+} // namespace
+
+std::vector<Job> report_jobs(const CommandLine& line) {
+  const Sizes sizes = sizes_of(line);
+  std::vector<Job> jobs;
+  for (const PictureSize size : sizes.measured) {
+    for (const std::string& rig : rigs_of(line)) {
+      const bool kept = text_of(size) == text_of(sizes.kept);
+      std::string what = "ghosting,shimmer,error,flicker,trail";
+      if (rig == "still") what += ",convergence";
+      jobs.push_back(job_of(line, rig, size, {"--what", what, "--keep", kept ? "worst" : "none"}));
+    }
+    jobs.push_back(job_of(line, line.rig.value_or(timed_rig), size, {"--what", "time"}));
+  }
+  for (const Job& job : jobs)
+    MeasurePlan{command_line_of(job.words)}; // refuses what is wrong before any work
+  return jobs;
+}
+
+} // namespace unghost

@@ -1,0 +1,164 @@
+#include "app/shards.h"
+
+#include <algorithm>
+#include <map>
+
+#include <nlohmann/json.hpp>
+
+#include "app/failure.h"
+#include "app/files.h"
+#include "app/interruption.h"
+#include "renderer/gpu/device.h"
+
+namespace unghost {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr size_t largest_json = 256 << 20;
+
+void run_here(const Words& words, Console& console) {
+  const CommandLine line = command_line_of(words);
+  Console own{.out = console.out,
+              .err = console.err,
+              .quiet = console.quiet || line.quiet,
+              .verbose = console.verbose || line.verbose,
+              .terminal = console.terminal,
+              .progress = console.progress};
+  line.command->run(line, own);
+}
+
+/// A measurement or results, with the pictures that they name as seen from `seen_from`.
+Results read_part(const fs::path& file, const fs::path& seen_from) {
+  const nlohmann::json object = read_json(file);
+  Results part;
+  if (object.is_object() && object.contains("scenes")) {
+    part = results_from_json(object, file.string());
+  } else {
+    part.scenes = {measured_from_json(object, file.string())};
+    part.protocol = part.scenes.front().protocol;
+  }
+  const fs::path folder = fs::absolute(file).parent_path();
+  for (Measured& measured : part.scenes)
+    for (KeptFrame& kept : measured.kept)
+      for (std::string* picture : {&kept.picture, &kept.reference})
+        if (!picture->empty()) *picture = (folder / *picture).lexically_relative(seen_from).generic_string();
+  return part;
+}
+
+/// Those named, and those in folders that are named; not the one that is to be written.
+std::vector<fs::path> files_of(const std::vector<std::string>& names, const std::string& output) {
+  std::vector<fs::path> files;
+  std::error_code error;
+  for (const std::string& name : names)
+    if (!fs::is_directory(name, error))
+      files.emplace_back(name);
+    else
+      for (const auto& entry : fs::directory_iterator(name))
+        if (entry.path().extension() == ".json" && !fs::equivalent(entry.path(), output, error))
+          files.push_back(entry.path());
+  return files;
+}
+
+Results joined_results(const std::vector<fs::path>& files, const fs::path& seen_from) {
+  Results results;
+  for (const fs::path& file : files) {
+    Results part = read_part(file, seen_from);
+    if (results.scenes.empty())
+      results.protocol = part.protocol;
+    else if (results.protocol != part.protocol)
+      results.protocol = "custom";
+    std::ranges::move(part.scenes, std::back_inserter(results.scenes));
+  }
+  results.scenes = merged(std::move(results.scenes));
+  return results;
+}
+
+/// Whether no other job could be done either.
+bool ends_all(const GpuError& error) {
+  return error.fault == GpuFault::lost || error.fault == GpuFault::no_device;
+}
+
+} // namespace
+
+Worker this_process() {
+  const auto known = std::make_shared<std::map<std::string, Maker>>(); // finding devices takes a while
+  return {.run = run_here, .maker = [known](const Words& words) {
+            const std::string device = command_line_of(words).device;
+            const auto found = known->find(device);
+            return found != known->end() ? found->second
+                                         : known->emplace(device, this_maker(device)).first->second;
+          }};
+}
+
+nlohmann::json read_json(const fs::path& file) {
+  const std::vector<uint8_t> bytes = read_file(file, largest_json);
+  nlohmann::json object = nlohmann::json::parse(bytes, nullptr, false);
+  if (object.is_discarded()) throw Failure(Exit::input_refused, file.string() + " is no JSON");
+  return object;
+}
+
+Results results_of(const std::vector<std::string>& names, const fs::path& seen_from,
+                   const std::string& but_for) {
+  const std::vector<fs::path> files = files_of(names, but_for);
+  if (files.empty())
+    throw Failure(Exit::input_refused,
+                  "there is no measurement in " + (names.empty() ? "nothing" : names.front()));
+  return joined_results(files, seen_from);
+}
+
+bool is_measured(const fs::path& file, const Words& words, const Maker& maker) {
+  std::error_code ignored;
+  if (!fs::exists(file, ignored)) return false;
+  try {
+    const Measured measured = measured_from_json(read_json(file), file.string());
+    const Maker by{.version = measured.version,
+                   .build = measured.build,
+                   .device = measured.device,
+                   .driver = measured.driver};
+    return measured.words == words && by == maker &&
+           std::ranges::all_of(measured.kept, [&](const auto& kept) {
+             return fs::exists(file.parent_path() / kept.picture, ignored) &&
+                    fs::exists(file.parent_path() / kept.reference, ignored);
+           });
+  } catch (const Failure&) { // half a file of another program's, a text: to be made again
+    return false;
+  }
+}
+
+bool make_shard(const Job& job, const fs::path& folder, const Worker& worker, Console& console) {
+  const fs::path file = folder / job.shard;
+  const Maker maker = worker.maker(job.words);
+  if (is_measured(file, job.words, maker)) return false;
+  make_folder(folder);
+  Words words = job.words;
+  words.insert(words.end(), {"-o", file.string()});
+  worker.run(words, console);
+  if (!is_measured(file, job.words, maker))
+    throw Failure(Exit::failed, file.string() + " does not hold what it was to: " + quoted_words(job.words));
+  return true;
+}
+
+Sweep make_shards(const std::vector<Job>& jobs, const fs::path& folder, const Worker& worker,
+                  Console& console) {
+  Sweep sweep;
+  for (const Job& job : jobs) {
+    throw_if_interrupted();
+    if (console.terminal && !console.quiet)
+      console.err << "job " << (&job - jobs.data() + 1) << " of " << jobs.size() << ": " << job.shard
+                  << std::endl;
+    try {
+      ++(make_shard(job, folder, worker, console) ? sweep.measured : sweep.skipped);
+      continue;
+    } catch (const GpuError& error) {
+      if (ends_all(error)) throw;
+      sweep.failed.push_back(job.shard + ": " + error.what());
+    } catch (const std::exception& error) { // an interruption is none
+      sweep.failed.push_back(job.shard + ": " + error.what());
+    }
+    console.err << "unghost: " << sweep.failed.back() << std::endl;
+  }
+  return sweep;
+}
+
+} // namespace unghost

@@ -1,0 +1,44 @@
+// Other programs, run by a test. No shell is between.
+#pragma once
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <vector>
+
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace unghost {
+
+inline std::string content_of(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+/// The first word is found by PATH; the child runs in `folder`, where one is given. Never returns in the
+/// child.
+inline pid_t start(const std::vector<std::string>& words, const std::filesystem::path& folder = {}) {
+  const pid_t child = fork();
+  if (child != 0) return child;
+  std::vector<char*> pointers;
+  for (const std::string& word : words) pointers.push_back(const_cast<char*>(word.c_str()));
+  pointers.push_back(nullptr);
+  if (folder.empty() || chdir(folder.c_str()) == 0) execvp(pointers[0], pointers.data());
+  _exit(127);
+}
+
+/// The exit code; 128 + the signal where one ended it.
+inline int wait_for(pid_t child) {
+  int status = 0;
+  if (child < 0 || waitpid(child, &status, 0) != child) return -1;
+  return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+}
+
+inline int exit_of(const std::vector<std::string>& words, const std::filesystem::path& folder = {}) {
+  return wait_for(start(words, folder));
+}
+
+} // namespace unghost

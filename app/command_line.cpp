@@ -41,10 +41,11 @@ void add_drawing(CLI::App& app, CommandLine& line, bool with_frames) {
       ->check(no_option);
   app.add_option("--view", line.view, "What is drawn in place of the picture");
   app.add_option("--settings", line.settings, "JSON, or a PNG that unghost made: draws the same again");
-  app.add_option("--rig", line.rig, "How camera and vehicle move (default drive; measure: pass)");
+  app.add_option("--rig", line.rig,
+                 "How camera and vehicle move (default drive; measure: pass; report: all)");
   app.add_option_function<std::string>(
       "--size", [&line](const std::string& text) { line.size = picture_size(text); },
-      "WIDTHxHEIGHT, in pixels (default 1280x720)");
+      "WIDTHxHEIGHT, in pixels (default 1280x720; report: two sizes)");
   if (with_frames)
     app.add_option("--frames", line.frames,
                    "Rendered one by one from a cold start; the last one counts (default 64; measure: the "
@@ -84,7 +85,7 @@ void add_flip(CLI::App& app, FlipWords& flip) {
 }
 
 void add_options(CLI::App& app, const CommandRow& row, CommandLine& line) {
-  if (row.options & drawing) add_drawing(app, line, row.run != bench);
+  if (row.options & drawing) add_drawing(app, line, (row.options & rounds_only) == 0);
   if (row.options & device) add_device(app, line);
   if (row.options & one_mode)
     app.add_option("--mode", line.mode, "Which temporal resolve (default grand-tour)");
@@ -100,9 +101,10 @@ void add_options(CLI::App& app, const CommandRow& row, CommandLine& line) {
         "--crops,!--no-crops", [&line](int64_t count) { line.crops = count > 0; },
         "Enlarge where the modes differ most");
   if (row.options & (timed | figures))
-    app.add_option("--rounds", line.rounds, "Of all modes in turns, timed (default 31)")
+    app.add_option("--rounds", line.rounds,
+                   "Of all modes in turns, timed (default 31; the full protocol: 1000)")
         ->check(CLI::Range(1u, most_frames));
-  if (row.run == bench)
+  if (row.options & rounds_only)
     app.add_flag("--alone,!--no-alone", line.alone,
                  "Also draw each mode in frames of its own: what sharing the geometry saves");
   if (row.options & axis_search) {

@@ -53,6 +53,7 @@ struct SweepWords {
   std::optional<uint32_t> line; // of `jobs`, from 1
   bool list = false;
   std::vector<std::string> shards; // files and folders
+  bool samples = true;             // what figures are means and medians of goes with them
 };
 
 /// What was given; what was not is empty, and gets its default from the command.

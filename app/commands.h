@@ -30,7 +30,8 @@ enum CommandOptions : unsigned {
   crops = 32,
   figures = 64, // what to measure, and how thoroughly
   device = 128,
-  timed = 256, // rounds
+  timed = 256,         // rounds
+  rounds_only = 65536, // and no frames
   axis_search = 512,
   two_pictures = 1024,
   figures_out = 16384,   // -o of JSON

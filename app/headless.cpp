@@ -76,6 +76,7 @@ void Headless::say_banner() const {
 FrameResult Headless::render_one(const FrameInput& input) {
   FrameResult result = renderer_->render(input);
   note_passes(result);
+  ++drawn_;
   throw_if_interrupted(); // and not after a picture is in its place
   return result;
 }
@@ -150,7 +151,7 @@ void Headless::finish() const {
     double total_ms = 0;
     for (const PassSummary& pass : passes()) {
       const double mib = double(pass.image_bytes) / (1 << 20);
-      total_ms += pass.ms * double(pass.frames) / shot_.frames;
+      total_ms += pass.ms * double(pass.frames) / drawn_;
       table.add({pass.name, std::to_string(pass.frames), fixed(pass.ms, 2), fixed(mib, 1)});
     }
     table.add({"a frame", "", fixed(total_ms, 2), fixed(double(image_bytes_) / (1 << 20), 1)});

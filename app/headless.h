@@ -77,6 +77,7 @@ private:
   std::unique_ptr<Renderer> renderer_;
   std::vector<std::string> pass_order_;
   std::map<std::string, PassRecord> pass_records_;
+  uint32_t drawn_ = 0;
   uint64_t image_bytes_ = 0; // the most that a frame has
 };
 

@@ -45,8 +45,18 @@ std::string host_name() {
 Maker this_maker(const std::string& device) {
   const std::vector<DeviceFacts> all = list_devices();
   const DeviceFacts& facts = all[chosen_device(all, device)];
-  return {
-      .version = UNGHOST_VERSION, .build = build_of_program(), .device = facts.name, .driver = facts.driver};
+  return {.version = UNGHOST_VERSION,
+          .build = build_of_program(),
+          .device = facts.name,
+          .driver = facts.driver,
+          .inputs = {}};
+}
+
+std::string inputs_of(const std::string& scene, const std::filesystem::path& settings) {
+  Fingerprint fingerprint;
+  fingerprint.add(read_file(scene_file(scene, find_data_folders().assets), largest_file));
+  if (!settings.empty()) fingerprint.add(read_file(settings, largest_file));
+  return fingerprint.hex(16);
 }
 
 } // namespace unghost

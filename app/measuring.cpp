@@ -15,9 +15,9 @@ namespace {
 constexpr std::string_view custom = "custom";
 
 std::set<Aspect> aspects_of(const CommandLine& line) {
-  if (line.measure.what.empty())
-    return {Aspect::ghosting, Aspect::shimmer, Aspect::error, Aspect::flicker, Aspect::trail};
   std::set<Aspect> asked;
+  for (const AspectRow& row : aspects())
+    if (line.measure.what.empty() && row.by_default) asked.insert(row.aspect);
   std::vector<std::string> known;
   for (const AspectRow& row : aspects()) known.emplace_back(row.word);
   for (const std::string& word : line.measure.what) {
@@ -30,7 +30,7 @@ std::set<Aspect> aspects_of(const CommandLine& line) {
 
 Protocol protocol_of(const CommandLine& line) {
   Protocol protocol = *std::ranges::find(protocols(), line.measure.protocol, &Protocol::word);
-  if (line.rounds) protocol.word = custom, protocol.rounds = *line.rounds;
+  if (line.rounds) protocol.rounds = *line.rounds;
   if (!line.frames) return protocol;
   if (*line.frames < protocol.fill + 2)
     throw WrongWords("--frames counts the " + std::to_string(protocol.fill) +
@@ -61,6 +61,7 @@ Measured described(const MeasurePlan& plan, const Headless& headless) {
              .software = facts.at("software"),
              .validation = facts.at("validation"),
              .debug_build = facts.at("debug_build"),
+             .inputs = inputs_of(plan.shot.scene, plan.line.settings),
              .scene = plan.shot.scene,
              .rig = plan.shot.rig,
              .width = plan.shot.size.width,
@@ -93,8 +94,16 @@ Measured described(const MeasurePlan& plan, const Headless& headless) {
 MeasurePlan::MeasurePlan(const CommandLine& words)
     : line(words), shot(shot_from(words)), protocol(protocol_of(words)), aspects(aspects_of(words)) {
   shot.frames = last_frame(protocol) + 1;
+  shot.modes = jittered(shot.modes);
   for (const std::string& word : words.words)
     if (!is_utf8(word)) throw WrongWords("figures carry the words that asked for them, and one is not UTF-8");
+  if (shot.settings.view != View::colour)
+    throw SettingError("figures are of finished pictures: --view has no place");
+  const bool timed = aspects.contains(Aspect::time);
+  if (line.rounds && !timed) throw WrongWords("--rounds are for --what time");
+  for (const ModeRun& mode : shot.modes)
+    if (timed && mode.taa.resolver != Resolver::fast)
+      throw SettingError("time compares both resolvers; resolver is not for it");
 }
 
 double work_of(const MeasurePlan& plan) {
@@ -108,13 +117,13 @@ Measured measured_by(const MeasurePlan& plan, const std::filesystem::path& folde
   Headless headless(plan.line, plan.shot, console);
   const double pixels = double(plan.shot.size.width) * plan.shot.size.height / (640 * 360);
   const Film film = headless.film([&](double work) { progress.step(work * pixels); });
+  Measured measured = described(plan, headless);
   Measurement measurement = measurement_of(plan, film);
-  measurement.references = reference_files(film, plan.shot, headless.facts().at("driver"));
+  measurement.references = reference_files(film, plan.shot, measured.device + ", " + measured.driver);
   measurement.save = [&](const std::string& file, const Image& picture) {
     write_file(folder / file, encode_png(picture, shot_json(plan.shot, plan.shot.frames).dump()));
   };
   if (measurement.keep != Keep::none) make_folder(folder);
-  Measured measured = described(plan, headless);
   measure_all(measurement, measured);
   for (KeptFrame& kept : measured.kept) // as seen from the file of figures, beside the folder
     for (std::string* file : {&kept.picture, &kept.reference})

@@ -12,11 +12,12 @@
 
 namespace unghost {
 
-/// Everything that decides a measurement. Throws WrongWords and SettingError where the words are wrong.
+/// Everything that decides a measurement; the modes with the jitter that all share. Throws WrongWords and
+/// SettingError where the words are wrong.
 struct MeasurePlan {
   explicit MeasurePlan(const CommandLine& line);
 
-  const CommandLine& line;
+  CommandLine line;
   Shot shot;
   Protocol protocol;
   std::set<Aspect> aspects;

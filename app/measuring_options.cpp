@@ -1,5 +1,6 @@
 #include "app/measuring_options.h"
 
+#include "app/measure/baseline.h"
 #include "app/measure/protocols.h"
 #include "app/option_checks.h"
 
@@ -20,8 +21,8 @@ std::string listed(const std::vector<std::string>& words) {
 
 void add_figures(CLI::App& app, MeasureWords& measure) {
   app.add_option("--what", measure.what,
-                 "Which figures, with commas: " + listed(words_of(aspects())) +
-                     " (default all but the last two)")
+                 "Which figures, with commas: " + listed(words_of(aspects())) + " (default " +
+                     words_by_default() + ")")
       ->delimiter(',')
       ->allow_extra_args(false)
       ->check(no_option);
@@ -34,18 +35,17 @@ void add_figures(CLI::App& app, MeasureWords& measure) {
 }
 
 void add_report(CLI::App& app, CommandLine& line) {
-  app.add_flag("--quick,!--no-quick", line.report.quick,
-               "640x360 and 320x180, 16 + 16 frames (the default): minutes");
-  app.add_flag(
-      "--full,!--no-full", line.report.full,
-      "1280x720 and 640x360, 100 + 100 frames, 1000 rounds: an hour or two; goes on where it was ended");
+  app.add_flag("--quick,!--no-quick", line.report.quick, "The quick protocol (the default): minutes");
+  app.add_flag("--full,!--no-full", line.report.full,
+               "The full protocol, at 1280x720 and 640x360: hours; goes on where it was ended");
   app.add_option("--from", line.report.from,
                  "Measurements, files or folders, of which the page is written; nothing is measured")
       ->check(no_option);
   app.add_option("--baseline", line.report.baseline, "An older results.json: what is better, worse, or noise")
       ->check(no_option);
   add_number(app, "--allow", line.report.allow, 0, 100,
-             "The share by which a figure may be worse than in the baseline (default 0.05)");
+             "The share by which a figure may be worse than in the baseline (default " +
+                 fixed(usual_allowance, 2) + ")");
   app.add_option("-o,--output", line.output, "The folder of the page; made where it is not there");
 }
 
@@ -63,6 +63,9 @@ void add_sweep(CLI::App& app, const CommandRow& row, CommandLine& line) {
   }
   if (row.options & shard_list) {
     app.add_option("SHARDS", line.sweep.shards, "Folders of measurements, and single files");
+    app.add_flag_function(
+        "--samples,!--no-samples", [&line](int64_t count) { line.sweep.samples = count > 0; },
+        "With each frame and round (the default); without, the file is small, and no baseline");
     app.add_option("-o,--output", line.output, "The file of results; - is standard output");
   }
 }

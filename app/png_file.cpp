@@ -5,7 +5,6 @@
 
 #include <png.h>
 
-#include "app/command_line.h"
 #include "app/failure.h"
 #include "renderer/scene/gltf_pictures.h"
 
@@ -84,9 +83,9 @@ std::vector<uint8_t> encode_png(const Image& picture, const std::string& text) {
   return bytes;
 }
 
-Image decode_png(std::span<const uint8_t> bytes) {
+Image decode_png(std::span<const uint8_t> bytes, uint32_t longest) {
   constexpr uint64_t most_pixels = uint64_t(1) << 28;
-  gltf::PictureBounds bounds{.side = longest_side, .bytes_left = 4 * most_pixels};
+  gltf::PictureBounds bounds{.side = longest, .bytes_left = 4 * most_pixels};
   return gltf::decode_png(bytes, bounds);
 }
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <map>
+#include <memory>
 
 #include <nlohmann/json.hpp>
 
@@ -34,14 +36,14 @@ std::string digest_of(const Image& picture) {
 }
 
 /// The same for whatever draws the same picture, as text.
-std::string key_of(const Film& film, const Shot& shot, const std::string& driver, uint32_t frame,
+std::string key_of(const Film& film, const Shot& shot, const std::string& device, uint32_t frame,
                    uint32_t samples) {
   FrameInput input = at_rest(film, frame);
   input.modes = {{.name = "off", .taa = {}}};
   input.wanted = {{Output::display}};
   const Image aliased = film.draw(input).delivered.front().picture;
   nlohmann::json key = {{"build", build_of_program()},
-                        {"driver", driver},
+                        {"device", device},
                         {"scene", shot.scene},
                         {"rig", shot.rig},
                         {"seed", shot.seed},
@@ -54,7 +56,6 @@ std::string key_of(const Film& film, const Shot& shot, const std::string& driver
 }
 
 fs::path file_of(const fs::path& folder, const std::string& key) {
-
   Fingerprint fingerprint;
   fingerprint.add(key);
   return folder / (fingerprint.hex(16) + ".png");
@@ -105,11 +106,14 @@ void keep(const fs::path& folder, const std::string& key, const Image& reference
 
 } // namespace
 
-ReferenceCache reference_files(const Film& film, const Shot& shot, const std::string& driver) {
+ReferenceCache reference_files(const Film& film, const Shot& shot, const std::string& device) {
   const fs::path folder = cache_folder();
   if (folder.empty()) return {};
-  const auto key = [&film, &shot, driver](uint32_t frame, uint32_t samples) {
-    return key_of(film, shot, driver, frame, samples);
+  const auto keys = std::make_shared<std::map<std::pair<uint32_t, uint32_t>, std::string>>();
+  const auto key = [&film, &shot, device, keys](uint32_t frame, uint32_t samples) {
+    std::string& known = (*keys)[{frame, samples}]; // it takes drawing a frame
+    if (known.empty()) known = key_of(film, shot, device, frame, samples);
+    return known;
   };
   return {.find = [=](uint32_t frame, uint32_t samples) { return find(folder, key(frame, samples)); },
           .keep = [=](uint32_t frame, uint32_t samples,

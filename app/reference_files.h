@@ -6,9 +6,9 @@
 
 namespace unghost {
 
-/// Found again only by the same program, driver, scene, rig, seed, settings, size, instant and number of
-/// samples; and only where an aliased frame at that instant has the same bytes as then. What cannot be read
-/// is drawn again, what cannot be written is not kept; at most a gigabyte stays.
-ReferenceCache reference_files(const Film& film, const Shot& shot, const std::string& driver);
+/// `device`: its name and driver. Found again only by the same program, device, scene, rig, seed, settings,
+/// size, instant and number of samples; and only where an aliased frame at that instant has the same bytes as
+/// then. What cannot be read is drawn again, what cannot be written is not kept; at most a gigabyte stays.
+ReferenceCache reference_files(const Film& film, const Shot& shot, const std::string& device);
 
 } // namespace unghost

@@ -7,6 +7,7 @@
 #include "app/baseline_table.h"
 #include "app/failure.h"
 #include "app/files.h"
+#include "app/interruption.h"
 #include "app/measure/baseline.h"
 #include "app/measure/report/report_page.h"
 #include "app/measuring.h"
@@ -26,7 +27,10 @@ void check_words(const CommandLine& line) {
   if (line.report.quick && line.report.full) throw WrongWords("--quick and --full do not go together");
   if (line.report.allow && !line.report.baseline)
     throw WrongWords("--allow says how much worse than --baseline is no regression, and there is none");
-  if (!line.report.from.empty() && (line.report.quick || line.report.full || line.scene || line.rig))
+  const bool chosen = line.report.quick || line.report.full || line.scene || line.rig || line.size ||
+                      line.seed || line.frames || line.rounds || !line.modes.empty() ||
+                      !line.assignments.empty() || !line.settings.empty();
+  if (!line.report.from.empty() && chosen)
     throw WrongWords("--from reads what was measured, so that there is nothing to choose");
 }
 
@@ -35,18 +39,20 @@ void measure_all_of(const std::vector<Job>& jobs, const fs::path& folder, Consol
   std::ostream nowhere(nullptr); // a table a job would say nothing
   Console of_jobs{.out = nowhere, .err = console.err, .quiet = true, .verbose = false, .terminal = false};
   double work = 0;
-  for (const Job& job : jobs) work += work_of(MeasurePlan(command_line_of(job.words)));
+  std::vector<double> works;
+  for (const Job& job : jobs) works.push_back(work_of(MeasurePlan(command_line_of(job.words))));
+  for (const double of_job : works) work += of_job;
   Progress progress(console, work);
   of_jobs.progress = &progress;
   const Worker worker = this_process();
-  for (const Job& job : jobs) {
+  for (size_t i = 0; i < jobs.size(); ++i) {
+    const Job& job = jobs[i];
     const double before = progress.done();
     progress.name(job.shard.substr(0, job.shard.rfind('-')));
-    const double of_job = work_of(MeasurePlan(command_line_of(job.words)));
     if (make_shard(job, folder, worker, of_jobs))
-      progress.skip(of_job - (progress.done() - before)); // an estimate: what it took is known now
+      progress.skip(works[i] - (progress.done() - before)); // an estimate: what it took is known now
     else
-      progress.skip(of_job);
+      progress.skip(works[i]);
   }
 }
 
@@ -54,12 +60,14 @@ void write_text(const fs::path& file, const std::string& text) {
   write_file(file, {reinterpret_cast<const uint8_t*>(text.data()), text.size()});
 }
 
-std::optional<Image> find_picture(const fs::path& folder, const std::string& file) {
+/// Nothing is decoded that is larger than `side`.
+std::optional<Image> find_picture(const fs::path& folder, const std::string& file, uint32_t side) {
+  throw_if_interrupted();
   const fs::path path = folder / file;
   std::error_code ignored;
   if (file.empty() || !fs::is_regular_file(path, ignored)) return std::nullopt;
   try {
-    return decode_png(read_file(path, size_t(1) << 30));
+    return decode_png(read_file(path, size_t(1) << 30), side);
   } catch (const std::exception& error) {
     throw Failure(Exit::input_refused, path.string() + ": " + error.what());
   }
@@ -77,16 +85,16 @@ Results results_for(const CommandLine& line, const std::vector<Job>& jobs, const
   return results_of(files, folder);
 }
 
-void compare_with_baseline(const CommandLine& line, const Results& results, Console& console) {
-  const fs::path file = *line.report.baseline;
-  const Results baseline = results_from_json(read_json(file), file.string());
-  constexpr double allowed = 0.05;
-  const BaselineComparison comparison = compared_with(baseline, results, line.report.allow.value_or(allowed));
+void compare_with_baseline(const CommandLine& line, const Results& baseline, const Results& results,
+                           Console& console) {
+  const std::string file = *line.report.baseline;
+  const BaselineComparison comparison =
+      compared_with(baseline, results, line.report.allow.value_or(usual_allowance));
   console.out << (line.json ? comparison_json(comparison).dump(2) + "\n" : comparison_text(comparison));
   if (const size_t count = regressions(comparison); count > 0) {
     console.out.flush();
-    throw Failure(Exit::failed, std::to_string(count) + " figures are worse than in " + file.string() +
-                                    " by more than is allowed");
+    throw Failure(Exit::failed, std::to_string(count) + (count == 1 ? " figure is" : " figures are") +
+                                    " worse than in " + file + " by more than is allowed");
   }
 }
 
@@ -95,16 +103,23 @@ void compare_with_baseline(const CommandLine& line, const Results& results, Cons
 void report(const CommandLine& line, Console& console) {
   check_words(line);
   const fs::path folder = line.output;
-  if (line.report.baseline) // before the work
-    results_from_json(read_json(*line.report.baseline), *line.report.baseline);
+  std::optional<Results> baseline; // before the work, which may write over it
+  if (line.report.baseline)
+    baseline = results_from_json(read_json(*line.report.baseline), *line.report.baseline);
   const std::vector<Job> jobs = line.report.from.empty() ? report_jobs(line) : std::vector<Job>{};
   make_folder(folder);
   const Results results = results_for(line, jobs, fs::absolute(folder).lexically_normal(), console);
-  const auto find = [&](const KeptFrame&, const std::string& file) { return find_picture(folder, file); };
+  uint32_t side = 1;
+  for (const Measured& measured : results.scenes) side = std::max({side, measured.width, measured.height});
+  const auto find = [&](const KeptFrame&, const std::string& file) {
+    return find_picture(folder, file, side);
+  };
+  const std::string page =
+      report_page(results, find, report_notes(results)); // throws where a picture is broken
   write_text(folder / "results.json", results_json(results).dump(1) + "\n");
   write_text(folder / "results.csv", results_csv(results));
-  write_text(folder / "index.html", report_page(results, find, report_notes(results)));
-  if (line.report.baseline) return compare_with_baseline(line, results, console);
+  write_text(folder / "index.html", page);
+  if (baseline) return compare_with_baseline(line, *baseline, results, console);
   if (line.json)
     console.out << nlohmann::json{{"file", (folder / "index.html").string()},
                                   {"results", (folder / "results.json").string()},

@@ -64,7 +64,9 @@ std::string explained(const Measured& m, const PaperTable& table, const Column& 
     const std::vector<double>& samples = row.samples.at(column.figure);
     return FrameShares{samples, std::vector<double>(samples.size(), 1)};
   };
-  const RelativeChange change = change_of_frames(shares(b), shares(a), {}, 1e-9);
+  const FrameShares before = shares(b), after = shares(a);
+  const bool paired = before.parts.size() == after.parts.size();
+  const RelativeChange change = change_of_frames(before, after, {.paired = paired}, 1e-9);
   const bool sure = change.high < 0;
   std::string text =
       std::string(less.mode) + " " + column.less + " here than " + std::string(more.mode) + ": " +

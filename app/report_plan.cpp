@@ -8,16 +8,15 @@ namespace {
 
 constexpr const char* timed_rig = "drive"; // what a mode adds hardly depends on the rig
 
-/// Sizes to tell apart what depends on one; pictures are kept of the one that a page can hold.
-struct Sizes {
-  std::vector<PictureSize> measured;
-  PictureSize kept;
-};
-Sizes sizes_of(const CommandLine& line) {
-  if (line.size) return {{*line.size}, *line.size};
-  if (line.report.full) return {{{1280, 720}, {640, 360}}, {640, 360}};
-  return {{{640, 360}, {320, 180}}, {640, 360}};
+/// The first is measured with all rigs; the second tells what depends on the size.
+std::vector<PictureSize> sizes_of(const CommandLine& line) {
+  if (line.size) return {*line.size};
+  if (line.report.full) return {{1280, 720}, {640, 360}};
+  return {{640, 360}, {320, 180}};
 }
+
+/// Those that a page can hold, all modes of a rig.
+bool keeps_pictures(const CommandLine& line, PictureSize size) { return line.size || size.width == 640; }
 
 std::vector<std::string> rigs_of(const CommandLine& line) {
   if (line.rig) return {*line.rig};
@@ -41,7 +40,6 @@ Job job_of(const CommandLine& line, const std::string& rig, PictureSize size, co
   for (const std::string& assignment : line.assignments) add("--set", assignment);
   add("--settings", line.settings.string());
   if (line.frames) add("--frames", std::to_string(*line.frames));
-  if (line.rounds) add("--rounds", std::to_string(*line.rounds));
   add("--device", line.device);
   if (line.validate) words.push_back("--validate");
   add("--protocol", line.report.full ? "full" : "quick");
@@ -52,16 +50,19 @@ Job job_of(const CommandLine& line, const std::string& rig, PictureSize size, co
 } // namespace
 
 std::vector<Job> report_jobs(const CommandLine& line) {
-  const Sizes sizes = sizes_of(line);
   std::vector<Job> jobs;
-  for (const PictureSize size : sizes.measured) {
+  for (const PictureSize size : sizes_of(line)) {
+    const bool first = text_of(size) == text_of(sizes_of(line).front());
     for (const std::string& rig : rigs_of(line)) {
-      const bool kept = text_of(size) == text_of(sizes.kept);
-      std::string what = "ghosting,shimmer,error,flicker,trail";
+      if (!first && !line.report.full && rig != timed_rig && !line.rig) continue; // minutes
+      std::string what = words_by_default();
       if (rig == "still") what += ",convergence";
-      jobs.push_back(job_of(line, rig, size, {"--what", what, "--keep", kept ? "worst" : "none"}));
+      jobs.push_back(
+          job_of(line, rig, size, {"--what", what, "--keep", keeps_pictures(line, size) ? "worst" : "none"}));
     }
-    jobs.push_back(job_of(line, line.rig.value_or(timed_rig), size, {"--what", "time"}));
+    Words timed = {"--what", "time"};
+    if (line.rounds) timed.insert(timed.end(), {"--rounds", std::to_string(*line.rounds)});
+    jobs.push_back(job_of(line, line.rig.value_or(timed_rig), size, timed));
   }
   for (const Job& job : jobs)
     MeasurePlan{command_line_of(job.words)}; // refuses what is wrong before any work

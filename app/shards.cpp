@@ -8,6 +8,7 @@
 #include "app/failure.h"
 #include "app/files.h"
 #include "app/interruption.h"
+#include "app/shot.h"
 #include "renderer/gpu/device.h"
 
 namespace unghost {
@@ -28,7 +29,15 @@ void run_here(const Words& words, Console& console) {
   line.command->run(line, own);
 }
 
-/// A measurement or results, with the pictures that they name as seen from `seen_from`.
+/// Whether a file that somebody's figures name is one that lies with them.
+bool lies_beneath(const fs::path& folder, const std::string& name) {
+  if (name.empty() || fs::path(name).is_absolute()) return false;
+  const fs::path inside = fs::weakly_canonical(folder / name).lexically_relative(folder);
+  return !inside.empty() && *inside.begin() != "..";
+}
+
+/// A measurement or results, with the pictures that they name as seen from `seen_from`; those that do not lie
+/// beneath its folder are left out.
 Results read_part(const fs::path& file, const fs::path& seen_from) {
   const nlohmann::json object = read_json(file);
   Results part;
@@ -38,11 +47,15 @@ Results read_part(const fs::path& file, const fs::path& seen_from) {
     part.scenes = {measured_from_json(object, file.string())};
     part.protocol = part.scenes.front().protocol;
   }
-  const fs::path folder = fs::absolute(file).parent_path();
-  for (Measured& measured : part.scenes)
+  const fs::path folder = fs::weakly_canonical(file).parent_path(), from = fs::weakly_canonical(seen_from);
+  for (Measured& measured : part.scenes) {
+    std::erase_if(measured.kept, [&](const KeptFrame& kept) {
+      return !lies_beneath(folder, kept.picture) || !lies_beneath(folder, kept.reference);
+    });
     for (KeptFrame& kept : measured.kept)
       for (std::string* picture : {&kept.picture, &kept.reference})
-        if (!picture->empty()) *picture = (folder / *picture).lexically_relative(seen_from).generic_string();
+        *picture = (folder / *picture).lexically_relative(from).generic_string();
+  }
   return part;
 }
 
@@ -84,18 +97,31 @@ bool ends_all(const GpuError& error) {
 Worker this_process() {
   const auto known = std::make_shared<std::map<std::string, Maker>>(); // finding devices takes a while
   return {.run = run_here, .maker = [known](const Words& words) {
-            const std::string device = command_line_of(words).device;
-            const auto found = known->find(device);
-            return found != known->end() ? found->second
-                                         : known->emplace(device, this_maker(device)).first->second;
+            const CommandLine line = command_line_of(words);
+            auto found = known->find(line.device);
+            if (found == known->end()) found = known->emplace(line.device, this_maker(line.device)).first;
+            Maker maker = found->second;
+            maker.inputs = inputs_of(shot_from(line).scene, line.settings);
+            maker.validation = line.validate;
+            return maker;
           }};
 }
 
 nlohmann::json read_json(const fs::path& file) {
   const std::vector<uint8_t> bytes = read_file(file, largest_json);
-  nlohmann::json object = nlohmann::json::parse(bytes, nullptr, false);
-  if (object.is_discarded()) throw Failure(Exit::input_refused, file.string() + " is no JSON");
-  return object;
+  constexpr int deepest = 64; // what reads it recurses
+  const auto shallow = [](int depth, nlohmann::json::parse_event_t, nlohmann::json&) {
+    if (depth > deepest)
+      throw std::length_error("its JSON is more than " + std::to_string(deepest) + " deep");
+    return true;
+  };
+  try {
+    return nlohmann::json::parse(bytes, shallow);
+  } catch (const std::length_error& error) {
+    throw Failure(Exit::input_refused, file.string() + ": " + error.what());
+  } catch (const nlohmann::json::exception&) {
+    throw Failure(Exit::input_refused, file.string() + " is no JSON");
+  }
 }
 
 Results results_of(const std::vector<std::string>& names, const fs::path& seen_from,
@@ -115,7 +141,9 @@ bool is_measured(const fs::path& file, const Words& words, const Maker& maker) {
     const Maker by{.version = measured.version,
                    .build = measured.build,
                    .device = measured.device,
-                   .driver = measured.driver};
+                   .driver = measured.driver,
+                   .inputs = measured.inputs,
+                   .validation = measured.validation};
     return measured.words == words && by == maker &&
            std::ranges::all_of(measured.kept, [&](const auto& kept) {
              return fs::exists(file.parent_path() / kept.picture, ignored) &&

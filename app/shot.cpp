@@ -54,6 +54,14 @@ json parse_settings_file(const std::filesystem::path& path) {
   return parsed;
 }
 
+// Names of modes become names of files, and keys.
+void check_name(const std::string& name, const std::vector<ModeRun>& others) {
+  const bool plain =
+      !name.empty() && name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789-") == std::string::npos;
+  if (!plain || name == "reference") throw SettingError("'" + name + "' is no name of a mode");
+  if (std::ranges::count(others, name, &ModeRun::name) > 0) throw SettingError("it has " + name + " twice");
+}
+
 // Those that a picture shows: one of its own, or the columns of a comparison.
 std::vector<ModeRun> modes_of(const json& file, const Settings& settings) {
   std::vector<ModeRun> runs;
@@ -62,6 +70,7 @@ std::vector<ModeRun> modes_of(const json& file, const Settings& settings) {
   for (const json& entry : file.value("modes", json::array())) {
     Settings own;
     apply_settings_json(own, entry.at("settings"));
+    check_name(entry.at("name").get<std::string>(), runs);
     runs.push_back({.name = entry.at("name").get<std::string>(), .taa = own.taa});
   }
   return runs;

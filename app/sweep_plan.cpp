@@ -71,7 +71,10 @@ const json& list_of(const json& plan, const std::string& member) {
 void read_texts(const json& plan, const std::string& member, std::vector<std::string>& into) {
   if (!plan.contains(member)) return;
   into.clear();
-  for (const json& value : list_of(plan, member)) into.push_back(text_of(value, member));
+  for (const json& value : list_of(plan, member)) {
+    into.push_back(text_of(value, member));
+    if (into.back().empty()) refuse(member + " has an empty word");
+  }
 }
 
 Assignments assignments_of(const json& object) {
@@ -186,7 +189,7 @@ std::string shard_name(const Words& words) {
       c = '-';
   Fingerprint fingerprint;
   for (const std::string& word : words) fingerprint.add(word);
-  return name + fingerprint.hex(8) + ".json";
+  return name + fingerprint.hex(16) + ".json";
 }
 
 std::string line_of(const Job& job) {

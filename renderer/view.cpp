@@ -78,6 +78,20 @@ glm::dvec2 r2_sequence(uint64_t n) {
   return glm::fract(at) - 0.5;
 }
 
+namespace {
+
+// Ten points of R2 lie a tenth of a pixel beside the middle in the mean, and so would all that is made of them.
+glm::dvec2 r2_10(uint64_t n) {
+  static const glm::dvec2 mean = [] {
+    glm::dvec2 sum(0);
+    for (uint64_t i = 0; i < 10; ++i) sum += r2_sequence(i);
+    return sum / 10.0;
+  }();
+  return r2_sequence(n) - mean;
+}
+
+} // namespace
+
 glm::dvec2 jitter_offset(Jitter sequence, uint64_t index) {
   static constexpr double grid[4][2] = {{-.125, -.375}, {.375, -.125}, {-.375, .125}, {.125, .375}};
   switch (sequence) {
@@ -90,7 +104,7 @@ glm::dvec2 jitter_offset(Jitter sequence, uint64_t index) {
   case Jitter::blue_noise_16:
     return blue_noise(index % 16);
   case Jitter::r2_10:
-    return r2_sequence(index % 10);
+    return r2_10(index % 10);
   case Jitter::two_samples:
     return glm::dvec2(index % 2 == 0 ? -0.25 : 0.25);
   case Jitter::rotated_grid:

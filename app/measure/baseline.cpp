@@ -25,7 +25,7 @@ constexpr Comparable comparables[] = {
     {"error", "error", "", false, true},
     {"flicker", "flicker", "", false, true},
     {"trail", "trail_remaining", "trail_all"},
-    {"over_copy", "over_copy", "", true},
+    {"added_over_copy", "added_over_copy", "", true},
 };
 
 std::string join(const std::vector<std::string>& words, const char* between) {

@@ -36,6 +36,9 @@ struct BaselineComparison {
   std::vector<std::string> missing; // sentences: what is in one and not in the other, what else differs
 };
 
+/// A figure may be worse by this share where nothing else is said.
+constexpr double usual_allowance = 0.05;
+
 /// Ghosting, shimmer, error, flicker and trail are the same on every run, and differ from frame to frame:
 /// both are drawn from the same frames, in blocks. Times are taken as ratios to a copy of the same round, and
 /// only where host, device and driver are the same; never in ms. Entries meet by scene, rig, size, seed and

@@ -1,5 +1,6 @@
 // Error and flicker: frames in motion with jitter, against supersampled frames at the same instants.
 #include <algorithm>
+#include <numeric>
 
 #include "app/measure/flicker.h"
 #include "app/measure/kept_frames.h"
@@ -7,6 +8,8 @@
 
 namespace unghost {
 namespace {
+
+constexpr uint32_t jitter_points = 10; // of R2, that all modes share
 
 /// What is compared with a supersampled frame: a mode, or means of fewer samples.
 struct Contender {
@@ -25,6 +28,7 @@ public:
     std::optional<uint32_t> last;
     for (const uint32_t frame : reference_frames(m_.protocol)) {
       const bool at_rest = last && same_moment(m_.film, *last, frame);
+      moves_ = moves_ && !at_rest;
       references_.emplace(frame, at_rest ? references_.at(*last) : drawn(frame));
       last = frame;
     }
@@ -55,8 +59,8 @@ public:
         into_.rows[mode].samples[figure] = samples;
     for (const char* figure : {"error", "flicker"}) set_means(into_, figure);
     for (size_t step = 0; step < std::size(supersampling_steps); ++step) {
-      // the same samples every frame: a ghost or a shimmer they cannot have
-      Supersampled one{.samples = supersampling_steps[step], .figures = {{"ghosting", 0}, {"shimmer", 0}}};
+      Supersampled one{.samples = supersampling_steps[step], .figures = {}};
+      if (asks(m_, Aspect::shimmer)) one.figures["shimmer"] = 0; // the same samples every frame
       for (const auto& [figure, samples] : contenders_[m_.modes.size() + step].figures.samples)
         one.figures[figure] = mean_of(samples);
       into_.supersampled.push_back(one);
@@ -80,7 +84,7 @@ private:
     if (asks(m_, Aspect::error)) add_sample(contender.figures, "error", flip);
     if (!asks(m_, Aspect::flicker)) return flip;
     FloatImage now = excess(picture, reference);
-    if (has_last_)
+    if (has_last_ && moves_)
       if (const auto value = flicker_between(contender.last_excess, now, motion_, steadiness_.pixels()))
         add_sample(contender.figures, "flicker", *value);
     contender.last_excess = std::move(now);
@@ -93,19 +97,23 @@ private:
   std::map<uint32_t, SupersampledFrame> references_;
   Steadiness steadiness_;
   FloatImage motion_;
-  bool has_last_ = false;
+  bool has_last_ = false, moves_ = true; // what rests cannot flicker: it may shimmer
   FrameKeeper keeper_;
 };
 
 } // namespace
 
 std::vector<uint32_t> reference_frames(const Protocol& protocol) {
-  std::vector<uint32_t> frames;
   const uint32_t pairs = std::max(1u, protocol.references / 2);
-  for (uint32_t pair = 1; pair <= pairs; ++pair) {
-    const uint32_t second = protocol.fill + protocol.measured * pair / pairs - 1;
-    frames.insert(frames.end(), {second - 1, second});
+  uint32_t apart = protocol.measured / pairs;
+  while (apart > 2 && std::gcd(apart, jitter_points) != 1)
+    --apart; // or all would be of one phase of the jitter
+  std::vector<uint32_t> frames;
+  for (uint32_t pair = 0; pair < pairs; ++pair) {
+    const uint32_t second = last_frame(protocol) - pair * apart;
+    frames.insert(frames.end(), {second, second - 1});
   }
+  std::ranges::reverse(frames);
   return frames;
 }
 

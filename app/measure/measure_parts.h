@@ -13,11 +13,6 @@ void measure_error(const Measurement& m, Measured& into);       // error, flicke
 void measure_convergence(const Measurement& m, Measured& into); // convergence
 void measure_time(const Measurement& m, Measured& into);        // run_time
 
-/// The modes with the jitter that all share, R2's ten points (Ikkala et al. 2024); those that keep none have
-/// none, and those that mix two input frames keep their own two samples, which are the whole of what they
-/// mix.
-std::vector<ModeRun> jittered(const std::vector<ModeRun>& modes);
-
 /// What Steadiness reads, of the geometry that `mode` has.
 std::vector<Wanted> surfaces_wanted(size_t mode = 0);
 Surfaces surfaces_of(const std::vector<Wanted>& wanted, FrameResult& result, size_t mode = 0);

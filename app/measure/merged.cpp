@@ -1,6 +1,6 @@
 // Measurements of many runs and machines, joined.
 #include <algorithm>
-#include <set>
+#include <map>
 #include <tuple>
 
 #include "app/measure/results.h"
@@ -12,12 +12,12 @@ using nlohmann::json;
 
 /// What must be alike for two to have seen the same frames, their modes aside.
 json identity_of(const Measured& m) {
-  return {m.scene,  m.rig,  m.width, m.height, m.seed,   m.settings, m.set,        m.protocol,
-          m.frames, m.fill, m.build, m.device, m.driver, m.version,  m.validation, m.debug_build};
+  return {m.scene, m.rig,   m.width,  m.height, m.seed,    m.settings,   m.set,         m.protocol, m.frames,
+          m.fill,  m.build, m.device, m.driver, m.version, m.validation, m.debug_build, m.inputs};
 }
 
-bool saw_the_same(const Measured& a, const Measured& b) {
-  if (identity_of(a) != identity_of(b)) return false;
+/// Modes of one name have the same settings.
+bool go_together(const Measured& a, const Measured& b) {
   return std::ranges::all_of(a.modes, [&](const auto& mode) {
     const auto other = std::ranges::find(b.modes, mode.first, &std::pair<std::string, json>::first);
     return other == b.modes.end() || other->second == mode.second;
@@ -29,8 +29,8 @@ template <class Map> void join(Map& into, const Map& from) {
 }
 
 bool is_time(const std::string& figure) {
-  static const std::set<std::string> times = {"added_ms", "p05", "p95", "over_copy", "over_naive"};
-  return times.contains(figure);
+  const auto kind = std::ranges::find(figure_kinds(), figure, &FigureKind::name);
+  return kind != figure_kinds().end() && kind->time;
 }
 
 /// The times of `from`, or all but those.
@@ -70,7 +70,8 @@ void join_errors(Measured& into, const Measured& from) {
     else
       join(same->figures, one.figures);
   }
-  into.kept.insert(into.kept.end(), from.kept.begin(), from.kept.end());
+  for (const KeptFrame& kept : from.kept)
+    if (std::ranges::count(into.kept, kept) == 0) into.kept.push_back(kept);
 }
 
 void join_times(Measured& into, const Measured& from) {
@@ -81,16 +82,18 @@ void join_times(Measured& into, const Measured& from) {
 /// What a mode adds hardly depends on the rig: one that was not timed takes the times of another of its
 /// scene.
 void lend_times(std::vector<Measured>& entries) {
-  const auto elsewhere = [](Measured m) {
-    m.rig.clear();
-    return identity_of(m);
+  const auto elsewhere = [](const Measured& m) {
+    json identity = identity_of(m);
+    identity.erase(1); // the rig
+    return identity;
   };
-  const std::vector<Measured> timed = entries;
+  std::vector<Measured> timed;
+  std::ranges::copy_if(entries, std::back_inserter(timed),
+                       [](const Measured& m) { return m.timing.has_value(); });
   for (Measured& entry : entries) {
     if (entry.timing) continue;
     const auto lender = std::ranges::find_if(timed, [&](const Measured& other) {
-      return other.timing && elsewhere(other) == elsewhere(entry) &&
-             std::ranges::equal(other.modes, entry.modes);
+      return elsewhere(other) == elsewhere(entry) && std::ranges::equal(other.modes, entry.modes);
     });
     if (lender != timed.end()) join_times(entry, *lender);
   }
@@ -107,9 +110,10 @@ Measured without_figures(const Measured& of) {
 /// Those that saw the same frames: one entry, or one a host where there are times.
 std::vector<Measured> joined(const std::vector<const Measured*>& alike) {
   std::map<std::string, Measured> by_host;
-  for (const Measured* part : alike)
-    if (part->timing)
-      join_times(by_host.try_emplace(part->timing->host, without_figures(*part)).first->second, *part);
+  for (const bool own : {false, true}) // those that were lent by another rig give way
+    for (const Measured* part : alike)
+      if (part->timing && (part->timing->rig == part->rig) == own)
+        join_times(by_host.try_emplace(part->timing->host, without_figures(*part)).first->second, *part);
   if (by_host.empty()) by_host.emplace("", without_figures(*alike.front()));
   std::vector<Measured> entries;
   for (auto& [host, entry] : by_host) {
@@ -122,19 +126,26 @@ std::vector<Measured> joined(const std::vector<const Measured*>& alike) {
 } // namespace
 
 std::vector<Measured> merged(std::vector<Measured> parts) {
-  const auto order = [](const Measured& m) {
-    return std::tuple(m.scene, m.seed, m.width * uint64_t(m.height), m.rig, measured_json(m).dump());
-  };
-  std::ranges::sort(parts, {}, order);
+  using Key = std::tuple<std::string, uint64_t, uint64_t, std::string, std::string, std::string>;
+  std::map<Key, const Measured*> sorted; // by what people look for first; the whole of it decides the rest
+  for (const Measured& m : parts)
+    sorted.emplace(Key(m.scene, m.seed, uint64_t(m.width) * m.height, m.rig, identity_of(m).dump(),
+                       measured_json(m).dump()),
+                   &m);
   std::vector<std::vector<const Measured*>> groups;
-  for (const Measured& part : parts) {
-    const auto same = std::ranges::find_if(groups, [&](const auto& group) {
-      return std::ranges::all_of(group, [&](const Measured* other) { return saw_the_same(part, *other); });
+  std::map<std::string, std::vector<size_t>> of_identity; // into `groups`
+  for (const auto& [key, part] : sorted) {
+    std::vector<size_t>& candidates = of_identity[std::get<4>(key)];
+    const auto fits = std::ranges::find_if(candidates, [&](size_t group) {
+      return std::ranges::all_of(groups[group],
+                                 [&](const Measured* other) { return go_together(*part, *other); });
     });
-    if (same == groups.end())
-      groups.push_back({&part});
-    else
-      same->push_back(&part);
+    if (fits == candidates.end()) {
+      candidates.push_back(groups.size());
+      groups.push_back({part});
+    } else {
+      groups[*fits].push_back(part);
+    }
   }
   std::vector<Measured> entries;
   for (const auto& alike : groups)

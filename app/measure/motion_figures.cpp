@@ -35,18 +35,18 @@ public:
     if (asks(m_, Aspect::trail)) wanted = surfaces_wanted();
     for (size_t run = 0; run < first_mode + m_.modes.size() && counts; ++run) {
       if (asks(m_, Aspect::trail)) wanted.push_back({Output::resolved, run});
-      if ((asks(m_, Aspect::ghosting)) && run != accumulated) wanted.push_back({Output::display, run});
+      if (asks(m_, Aspect::ghosting) && run != accumulated) wanted.push_back({Output::display, run});
     }
     return wanted;
   }
 
   void take(uint32_t frame, const std::vector<Wanted>& wanted, FrameResult& result) {
     if (asks(m_, Aspect::trail)) take_trail(frame, wanted, result);
-    if ((asks(m_, Aspect::ghosting)) && frame >= m_.protocol.fill) take_ghosting(frame, wanted, result);
+    if (asks(m_, Aspect::ghosting) && frame >= m_.protocol.fill) take_ghosting(frame, wanted, result);
   }
 
   void finish() {
-    for (size_t mode = 0; mode < m_.modes.size() && (asks(m_, Aspect::trail)); ++mode)
+    for (size_t mode = 0; mode < m_.modes.size() && asks(m_, Aspect::trail); ++mode)
       set_trail(into_.rows[mode], meter_.trail_of(mode), meter_.frames_of(mode));
     keeper_.finish(into_);
   }
@@ -68,7 +68,8 @@ private:
     const Image& reference = delivered(wanted, result, Output::display, aliased).picture;
     const SeenPicture seen_reference = seen(reference);
     for (size_t mode = 0; mode < m_.modes.size(); ++mode) {
-      const bool same = !m_.modes[mode].taa.policy.needs_history();
+      const TaaSettings& taa = m_.modes[mode].taa;
+      const bool same = !taa.policy.needs_history() && taa.sharpen == 0;
       const Image& picture = delivered(wanted, result, Output::display, first_mode + mode).picture;
       const double flip = same ? 0 : mean_flip(seen_reference, seen(picture));
       add_sample(into_.rows[mode], "ghosting", flip);

@@ -24,11 +24,19 @@ std::span<const Protocol> protocols() {
 }
 
 std::span<const AspectRow> aspects() {
-  static constexpr AspectRow rows[] = {{"ghosting", Aspect::ghosting}, {"shimmer", Aspect::shimmer},
-                                       {"error", Aspect::error},       {"flicker", Aspect::flicker},
-                                       {"trail", Aspect::trail},       {"convergence", Aspect::convergence},
-                                       {"time", Aspect::time}};
+  static constexpr AspectRow rows[] = {
+      {"ghosting", Aspect::ghosting}, {"shimmer", Aspect::shimmer},
+      {"error", Aspect::error},       {"flicker", Aspect::flicker},
+      {"trail", Aspect::trail},       {"convergence", Aspect::convergence, false},
+      {"time", Aspect::time, false}};
   return rows;
+}
+
+std::string words_by_default() {
+  std::string words;
+  for (const AspectRow& row : aspects())
+    if (row.by_default) words += (words.empty() ? "" : ",") + std::string(row.word);
+  return words;
 }
 
 std::span<const KeepRow> keep_words() {
@@ -91,6 +99,7 @@ void measure_time(const Measurement& m, Measured& into) {
     row.figures["added_ms"] = quantile(of.added_ms, 0.5);
     row.figures["p05"] = quantile(of.added_ms, 0.05), row.figures["p95"] = quantile(of.added_ms, 0.95);
     for (const auto& [name, samples] : {std::pair{"added_ms", &of.added_ms},
+                                        {"added_over_copy", &of.added_over_copy},
                                         {"over_copy", &of.over_copy},
                                         {"over_naive", &of.over_naive}}) {
       for (const double sample : *samples) add_sample(row, name, sample);
@@ -109,7 +118,7 @@ double work_of(const Measurement& m) {
   for (size_t mode = 0; mode < m.modes.size(); ++mode) judged.wanted.push_back({Output::display, mode});
   const Protocol& p = m.protocol;
   const double drawn = work_of(frame) * (last_frame(p) + 1), judging = work_of(judged) - work_of(frame);
-  const uint32_t reference = p.samples + supersampling_steps[std::size(supersampling_steps) - 1];
+  const uint32_t reference = p.samples + supersampling_steps[std::size(supersampling_steps) - 1] + 1;
   double work = 0;
   if (asks(m, Aspect::ghosting) || asks(m, Aspect::trail)) work += drawn + p.measured * judging;
   if (asks(m, Aspect::shimmer)) work += drawn + p.measured * judging;
@@ -121,9 +130,9 @@ double work_of(const Measurement& m) {
 }
 
 void measure_all(const Measurement& m, Measured& into) {
-  if ((asks(m, Aspect::ghosting) || asks(m, Aspect::trail))) measure_motion(m, into);
+  if (asks(m, Aspect::ghosting) || asks(m, Aspect::trail)) measure_motion(m, into);
   if (asks(m, Aspect::shimmer)) measure_rest(m, into);
-  if ((asks(m, Aspect::error) || asks(m, Aspect::flicker))) measure_error(m, into);
+  if (asks(m, Aspect::error) || asks(m, Aspect::flicker)) measure_error(m, into);
   if (asks(m, Aspect::convergence)) measure_convergence(m, into);
   if (asks(m, Aspect::time)) measure_time(m, into);
 }

@@ -29,8 +29,11 @@ enum class Aspect { ghosting, shimmer, error, flicker, trail, convergence, time 
 struct AspectRow {
   std::string_view word;
   Aspect aspect;
+  bool by_default = true;
 };
 std::span<const AspectRow> aspects();
+/// With commas between them.
+std::string words_by_default();
 
 /// Which frames stay as pictures: none, each mode's worst, all that were judged.
 enum class Keep { none, worst, all };
@@ -58,6 +61,11 @@ inline bool asks(const Measurement& m, Aspect aspect) { return m.aspects.contain
 
 /// How much work it is, as work_of(FrameInput) counts; references that are in the cache are not in it.
 double work_of(const Measurement& measurement);
+
+/// The modes with the jitter that all share, R2's ten points (Ikkala et al. 2024); those that keep none have
+/// none, and those that mix two input frames keep their own two samples, which are the whole of what they
+/// mix.
+std::vector<ModeRun> jittered(const std::vector<ModeRun>& modes);
 
 /// Fills the figures, samples, curves and kept frames of `into`, whose rows are the measurement's modes.
 void measure_all(const Measurement& measurement, Measured& into);

@@ -88,6 +88,7 @@ Measured read_measured(const json& object) {
              .software = object.at("software"),
              .validation = object.at("validation"),
              .debug_build = object.at("debug_build"),
+             .inputs = object.at("inputs"),
              .scene = object.at("scene"),
              .rig = object.at("rig"),
              .seed = object.at("seed"),
@@ -105,6 +106,7 @@ Measured read_measured(const json& object) {
              .supersampled = {},
              .convergence = {},
              .kept = {}};
+  if (!m.settings.is_object()) throw std::invalid_argument("its settings are no object");
   const std::string size = object.at("size");
   const auto [x, error] = std::from_chars(size.data(), size.data() + size.size(), m.width);
   if (error != std::errc{} || x == size.data() + size.size() || *x != 'x' ||
@@ -133,11 +135,15 @@ std::span<const FigureKind> figure_kinds() {
       {"trail", "trail", "share", "Of the ghost that remains where a surface or its light changed.", 3},
       {"trail_surface", "trail, surfaces", "share", "Where another surface was.", 3},
       {"trail_shadow", "trail, shadows", "share", "Where the sun was seen otherwise.", 3},
-      {"added_ms", "adds", "ms", "The time of all passes that `off` does not need, a median.", 2},
-      {"p05", "5%", "ms", "Of the rounds were faster.", 2, false},
-      {"p95", "95%", "ms", "Of the rounds were faster.", 2, false},
-      {"over_copy", "over a copy", "", "The resolve over a full-screen copy in the same rounds.", 2},
-      {"over_naive", "over naive", "", "The resolve over the plain resolve of the same row.", 3},
+      {"added_ms", "adds", "ms", "The time of all passes that `off` does not need, a median.", 2, true, true},
+      {"added_over_copy", "adds, over a copy", "", "The same over a full-screen copy in the same rounds.", 2,
+       true, true},
+      {"p05", "5%", "ms", "Of the rounds were faster.", 2, false, true},
+      {"p95", "95%", "ms", "Of the rounds were faster.", 2, false, true},
+      {"over_copy", "resolve, over a copy", "", "The resolve over a full-screen copy in the same rounds.", 2,
+       true, true},
+      {"over_naive", "resolve, over naive", "", "The resolve over the plain resolve of the same row.", 3,
+       true, true},
   };
   return kinds;
 }
@@ -150,6 +156,7 @@ json measured_json(const Measured& m) {
                  {"software", m.software},
                  {"validation", m.validation},
                  {"debug_build", m.debug_build},
+                 {"inputs", m.inputs},
                  {"scene", m.scene},
                  {"rig", m.rig},
                  {"size", std::to_string(m.width) + "x" + std::to_string(m.height)},
@@ -210,7 +217,8 @@ Results results_from_json(const json& object, const std::string& where) {
   if (object.at("version") != results_format)
     refuse("has results of format " + object.at("version").dump() + "; this program reads " +
            std::to_string(results_format));
-  Results results{.protocol = object.value("protocol", "custom"), .scenes = {}};
+  if (!object.contains("protocol") || !object.at("protocol").is_string()) refuse("does not say its protocol");
+  Results results{.protocol = object.at("protocol"), .scenes = {}};
   for (const json& scene : object.at("scenes")) results.scenes.push_back(measured_from_json(scene, where));
   return results;
 }

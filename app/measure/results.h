@@ -21,6 +21,7 @@ struct FigureKind {
   std::string_view name, label, unit, summary;
   int decimals = 4;  // that are worth reading
   bool shown = true; // a column of tables for people
+  bool time = false; // of one host, and never joined with another's
 };
 /// ghosting, shimmer, error, flicker, trail and its two parts, times.
 std::span<const FigureKind> figure_kinds();
@@ -59,6 +60,8 @@ struct KeptFrame {
   uint32_t frame = 0;
   double flip = 0; // mean
   std::string picture, reference;
+
+  bool operator==(const KeptFrame&) const = default;
 };
 
 /// Where and when the run times were taken. They never mix with those of another machine.
@@ -72,6 +75,7 @@ struct Timing {
 struct Measured {
   std::string version, build, device, driver; // of the program that measured, and on what
   bool software = false, validation = false, debug_build = false;
+  std::string inputs; // 16 digits of the bytes of the scene's file and of a file of settings
   std::string scene, rig;
   uint32_t width = 0, height = 0;
   uint64_t seed = 1;

@@ -1,10 +1,16 @@
+#include <charconv>
+
 #include "app/measure/results.h"
 
 namespace unghost {
 namespace {
 
-/// As RFC 4180 has it.
-std::string cell(const std::string& text) {
+/// As RFC 4180 has it; what a spreadsheet would take for a formula is text.
+std::string cell(std::string text) {
+  double number = 0;
+  const bool is_number =
+      std::from_chars(text.data(), text.data() + text.size(), number).ptr == text.data() + text.size();
+  if (!is_number && text.find_first_of("=+-@") == 0) text.insert(0, "'");
   if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
   std::string quoted = "\"";
   for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
@@ -13,7 +19,7 @@ std::string cell(const std::string& text) {
 
 std::string line_of(const std::vector<std::string>& cells) {
   std::string line;
-  for (const std::string& each : cells) line += (line.empty() ? "" : ",") + cell(each);
+  for (const std::string& each : cells) line += (&each == &cells.front() ? "" : ",") + cell(each);
   return line + "\r\n";
 }
 

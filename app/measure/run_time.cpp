@@ -22,11 +22,12 @@ bool tests_history(const ModeRun& run) {
   return (uint32_t(run.taa.policy.reject) & ~uint32_t(Reject::off_screen)) != 0;
 }
 
-/// Those that resolve anything, as they are; `off`, which adds nothing, where there is no other.
+bool adds_anything(const ModeRun& run) { return run.taa.policy.needs_history() || run.taa.sharpen > 0; }
+
+/// Those that add anything, as they are; `off`, which adds nothing, where there is no other.
 std::vector<ModeRun> as_they_are(const std::vector<ModeRun>& modes) {
   std::vector<ModeRun> runs;
-  std::ranges::copy_if(modes, std::back_inserter(runs),
-                       [](const ModeRun& run) { return run.taa.policy.needs_history(); });
+  std::ranges::copy_if(modes, std::back_inserter(runs), adds_anything);
   if (runs.empty()) runs.push_back(modes.front());
   return runs;
 }
@@ -62,12 +63,16 @@ std::vector<double> sum(const std::vector<double>& a, const std::vector<double>&
 
 ModeTimes times_of(const ModeRun& run, Times& times) {
   ModeTimes mode;
-  if (!run.taa.policy.needs_history()) return mode;
-  mode.resolve_ms = times[resolve + run.name];
-  mode.over_copy = ratio(mode.resolve_ms, times["copy"]);
-  mode.over_naive = ratio(mode.resolve_ms, times[resolve + run.name + naively]);
-  mode.over_no_rejection = ratio(mode.resolve_ms, times[resolve + run.name + no_rejection]);
-  mode.added_ms = sum(sum(mode.resolve_ms, times["motion"]), times[sharpening + run.name]);
+  if (!adds_anything(run)) return mode;
+  mode.added_ms = times[sharpening + run.name];
+  if (run.taa.policy.needs_history()) {
+    mode.resolve_ms = times[resolve + run.name];
+    mode.over_copy = ratio(mode.resolve_ms, times["copy"]);
+    mode.over_naive = ratio(mode.resolve_ms, times[resolve + run.name + naively]);
+    mode.over_no_rejection = ratio(mode.resolve_ms, times[resolve + run.name + no_rejection]);
+    mode.added_ms = sum(sum(mode.resolve_ms, times["motion"]), mode.added_ms);
+  }
+  mode.added_over_copy = ratio(mode.added_ms, times["copy"]);
   return mode;
 }
 
@@ -75,8 +80,8 @@ void note(const FrameResult& result, Times& times) {
   double geometry = 0;
   for (const PassReport& pass : result.passes) {
     times[pass.name].push_back(pass.ms);
-    const bool of_modes = pass.name.starts_with(resolve) || pass.name.starts_with(sharpening);
-    if (!of_modes && pass.name != "motion" && pass.name != "copy") geometry += pass.ms;
+    if (pass.name == "g-buffer" || pass.name == "light")
+      geometry += pass.ms; // shadows are drawn once a frame
   }
   times["geometry"].push_back(geometry);
 }

@@ -11,12 +11,13 @@ namespace unghost {
 /// A number a round each; empty where there is nothing to compare with.
 struct ModeTimes {
   std::vector<double> added_ms, resolve_ms; // of all passes that `off` has not, and of the resolve alone
+  std::vector<double> added_over_copy;      // of all of it
   std::vector<double> over_copy, over_naive, over_no_rejection; // of the resolve
 };
 struct RunTimes {
   std::vector<ModeTimes> modes;
   std::vector<double> copy_ms, motion_ms;
-  std::vector<double> geometry_ms; // what is drawn once for all modes: shadows, G-buffer, light
+  std::vector<double> geometry_ms; // what each sample of a pixel would be drawn with: G-buffer and light
 };
 
 /// Draws `rounds` frames of the rig after some that warm up. Naive resolves and rows without their rejection

@@ -13,7 +13,8 @@ namespace unghost {
 /// The world at rest at one instant, in linear light the mean of jittered frames, as displayed in 8 bits.
 struct SupersampledFrame {
   Image reference;
-  std::vector<Image> fewer; // means of supersampling_steps samples, none of which the reference has
+  std::vector<Image>
+      fewer; // means of as many samples as supersampling_steps say, none of them the reference's
 };
 constexpr uint32_t supersampling_steps[] = {1, 2, 4, 8, 16};
 
@@ -29,7 +30,7 @@ Image supersampled_reference(const Film& film, uint32_t frame, uint32_t samples,
 SupersampledFrame supersampled(const Film& film, uint32_t frame, uint32_t samples,
                                const ReferenceCache& cache);
 
-/// The mean of the first n samples of the sequence for each n, as displayed; rising.
+/// The mean of n samples for each n, as displayed; 1 is the pixel's middle. Rising; all but 1 are even.
 std::vector<Image> progressive_means(const Film& film, uint32_t frame, std::span<const uint32_t> samples);
 
 } // namespace unghost

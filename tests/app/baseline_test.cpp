@@ -36,7 +36,7 @@ Measured measured(const std::string& figure, std::vector<double> samples) {
 }
 
 Measured timed(std::vector<double> over_copy, const std::string& host = "here") {
-  Measured m = measured("over_copy", std::move(over_copy));
+  Measured m = measured("added_over_copy", std::move(over_copy));
   m.timing = {.host = host, .rig = "drive", .rounds = 31, .copy_ms = 1, .motion_ms = 2};
   return m;
 }

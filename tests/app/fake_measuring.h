@@ -24,12 +24,14 @@ inline Measured fake_measured(const Words& words, const Maker& maker = fake_make
              .build = maker.build,
              .device = maker.device,
              .driver = maker.driver,
+             .validation = maker.validation,
+             .inputs = maker.inputs,
              .scene = line.scene.value_or("asphalt"),
              .rig = line.rig.value_or("pass"),
              .width = line.size.value_or(PictureSize{}).width,
              .height = line.size.value_or(PictureSize{}).height,
              .seed = line.seed.value_or(1)};
-  m.settings = nlohmann::json::object();
+  m.settings = nlohmann::json::object(), m.protocol = "custom";
   m.set = line.assignments, m.words = words;
   Fingerprint fingerprint;
   for (const std::string& word : words) fingerprint.add(word);

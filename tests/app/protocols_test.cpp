@@ -102,12 +102,20 @@ TEST(Protocols, ReferencesAreTheMeanOfLinearLightAtPlacesThatNoModeTakes) {
     EXPECT_EQ(input.now.animation_s, 5);
     EXPECT_TRUE(places.emplace(input.jitter_px->x, input.jitter_px->y).second) << "drawn twice";
   }
-  ASSERT_EQ(film.drawn.size(), 64u + 16u);
+  ASSERT_EQ(film.drawn.size(), 64u + 17u);
   for (size_t i = 0; i < 64; ++i) left += film.drawn[i].jitter_px->x < 0; // the reference's come first
   EXPECT_NEAR(left / 64, 0.5, 0.05) << "spread evenly";
   const auto mean = float((left * 0.1f + (64 - left) * 0.5f) / 64);
   EXPECT_EQ(frame.reference.rgba[0], shown(mean).rgba[0]);
   ASSERT_EQ(frame.fewer.size(), std::size(supersampling_steps));
+  glm::dvec2 sum(0);
+  for (size_t i = 0; i < film.drawn.size(); ++i) {
+    sum += *film.drawn[i].jitter_px;
+    if (i % 2 == 1 && i < 64) {
+      EXPECT_LT(glm::length(sum), 1e-9) << "the mean is the pixel's middle";
+    }
+  }
+  EXPECT_LT(glm::length(sum), 1e-9);
 }
 
 TEST(Protocols, ErrorsAreTakenAtPairsOfFramesAndTheLast) {
@@ -117,7 +125,12 @@ TEST(Protocols, ErrorsAreTakenAtPairsOfFramesAndTheLast) {
     EXPECT_EQ(frames.size(), protocol.references) << protocol.word;
     EXPECT_EQ(frames.back(), last_frame(protocol));
     EXPECT_GE(frames.front(), protocol.fill);
-    for (size_t i = 0; i < frames.size(); i += 2) EXPECT_EQ(frames[i] + 1, frames[i + 1]);
+    std::set<uint32_t> phases; // of the jitter's ten points
+    for (size_t i = 0; i < frames.size(); i += 2) {
+      EXPECT_EQ(frames[i] + 1, frames[i + 1]);
+      phases.insert(frames[i] % 10);
+    }
+    EXPECT_EQ(phases.size(), frames.size() / 2) << protocol.word;
   }
 }
 

@@ -132,7 +132,7 @@ TEST(ReportPage, WhatWasNotMeasuredIsNotThere) {
   const std::string whole = page_of(sample.results);
   for (const char* part :
        {"Work and precision", "Convergence of the modes", "Convergence of the jitter", "Run time</strong>",
-        "Trail</strong>", "Worst frames", "The same instant", "Table 2, asphalt", "class=\"cases\""})
+        "Trail</strong>", "The worst frames", "The same instant", "Table 2, asphalt", "class=\"cases\""})
     EXPECT_NE(whole.find(part), std::string::npos) << part;
   EXPECT_EQ(whole.find("Table 1, grass"), std::string::npos); // no such scene
 
@@ -143,7 +143,7 @@ TEST(ReportPage, WhatWasNotMeasuredIsNotThere) {
     row.samples.clear(), row.figures = {{"shimmer", row.figures.at("shimmer")}};
   const std::string bare = page_of(sample.results);
   for (const char* part : {"Work and precision", "Convergence of", "Run time</strong>", "Trail</strong>",
-                           "Worst frames", "The same instant", "Table 2, asphalt", "class=\"cases\""})
+                           "The worst frames", "The same instant", "Table 2, asphalt", "class=\"cases\""})
     EXPECT_EQ(bare.find(part), std::string::npos) << part;
   EXPECT_NE(bare.find("No mode has both a time and an error"), std::string::npos);
   EXPECT_NE(bare.find("Its rows were not measured"), std::string::npos);
@@ -154,7 +154,7 @@ TEST(ReportPage, PicturesThatAreNotThereAreLeftOut) {
   const Results results = ReportSample({"pass"}).results;
   const std::string page = report_page(results, [](const auto&, const auto&) { return std::nullopt; }, {});
   EXPECT_EQ(page.find("<img"), std::string::npos);
-  EXPECT_EQ(page.find("Worst frames"), std::string::npos);
+  EXPECT_EQ(page.find("The worst frames"), std::string::npos);
   EXPECT_NE(page_of(results).find("<img"), std::string::npos);
 }
 

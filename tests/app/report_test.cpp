@@ -111,8 +111,10 @@ TEST_F(KeptFigures, ErrorFollowsFromTheFrames) {
 }
 
 TEST_F(KeptFigures, AreTheSameBytesOnASecondRun) {
+  setenv("XDG_CACHE_HOME", folder_->path.c_str(), 1); // without the references that were drawn before
   ASSERT_EQ(measure_into("again.json", {}).exit, 0);
   Measured again = measured_in(folder_->path / "again.json"), first = *measured_;
+  EXPECT_TRUE(fs::exists(folder_->path / "unghost" / "references"));
   first.kept.clear(), first.words.clear(), again.words.clear();
   EXPECT_EQ(measured_json(first).dump(), measured_json(again).dump());
 }
@@ -181,6 +183,8 @@ TEST_F(Reported, BesideABaselineSaysWhatIsWorseAndEndsWithOne) {
   EXPECT_NE(worse.out.find("ghosting"), std::string::npos) << worse.out;
   EXPECT_NE(worse.err.find("worse than"), std::string::npos) << worse.err;
   EXPECT_EQ(beside(folder_->file("broken.json", "{}").string()).exit, 3);
+  const std::string own = folder_->file("b/results.json", better.dump()).string(); // is written over
+  EXPECT_EQ(beside(own).exit, 1);
 }
 
 } // namespace

@@ -18,6 +18,7 @@ ModeRun mode(const char* name) {
 struct Device {
   std::vector<FrameInput> drawn;
   Film film;
+  bool sharpens = false;
 
   Device() {
     film.at = [](uint32_t frame) { return FrameInput{.index = frame}; };
@@ -30,6 +31,7 @@ struct Device {
       for (const ModeRun& run : input.modes)
         if (run.taa.policy.needs_history())
           result.passes.push_back({.name = "taa " + run.name, .ms = time_of(run.taa)});
+      if (sharpens) result.passes.push_back({.name = "sharpen " + input.modes.front().name, .ms = 7});
       return result;
     };
   }
@@ -58,6 +60,16 @@ TEST(RunTimes, GeometryIsSharedByTheModesOfAFrame) {
   const Sharing sharing = time_sharing(device.film, {mode("blend"), mode("rgb"), mode("uncharted")}, 2);
   EXPECT_EQ(sharing.together_ms, 20 + 5 + 2 + 3 + 3 + 4);
   EXPECT_EQ(sharing.alone_ms, 3 * (20 + 5 + 2) + 3 + 3 + 4);
+}
+
+TEST(RunTimes, SharpeningIsAddedWithoutAHistory) {
+  Device device;
+  ModeRun off = mode("off");
+  off.taa.sharpen = 2;
+  device.sharpens = true;
+  const RunTimes times = time_modes(device.film, {off}, 2);
+  EXPECT_EQ(times.modes[0].added_ms, std::vector<double>(2, 7)) << "and no motion";
+  EXPECT_EQ(times.modes[0].added_over_copy, std::vector<double>(2, 3.5));
 }
 
 TEST(RunTimes, TheModesKeepTheirPlacesWhenTheOthersAreNoLongerDrawn) {

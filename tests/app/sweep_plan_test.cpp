@@ -61,8 +61,8 @@ TEST(SweepPlan, ShardsAreNamedForWhatTheyHold) {
   const Job job = jobs_of_plan({{"rigs", {"drive"}}, {"sizes", {"640x360"}}}, "plan.json").front();
   const std::string& name = job.shard;
   EXPECT_EQ(name.substr(0, 24), "asphalt-drive-640x360-1-") << name;
-  EXPECT_EQ(name.find_first_not_of("0123456789abcdef", 24), 32u) << name;
-  EXPECT_EQ(name.substr(32), ".json") << name;
+  EXPECT_EQ(name.find_first_not_of("0123456789abcdef", 24), 40u) << name;
+  EXPECT_EQ(name.substr(40), ".json") << name;
   const Job other =
       jobs_of_plan({{"rigs", {"drive"}}, {"sizes", {"640x360"}}, {"what", {"error"}}}, "").front();
   EXPECT_NE(other.shard, name);
@@ -98,7 +98,7 @@ TEST(SweepPlan, WhatTheCommandWouldRefuseIsRefusedInASentence) {
       {{{"scene", {"asphalt"}}}, "no member 'scene'; did you mean 'scenes'?"},
       {{{"scenes", {"asphlt"}}}, "no scene 'asphlt'; did you mean 'asphalt'?"},
       {{{"scenes", {"--json"}}}, "no scene '--json'"},
-      {{{"scenes", {""}}}, "name is empty"},
+      {{{"scenes", {""}}}, "scenes has an empty word"},
       {{{"scenes", "asphalt"}}, "scenes is no list"},
       {{{"scenes", json::array()}}, "scenes is empty"},
       {{{"scenes", {json::object()}}}, "neither a word nor a number"},

@@ -1,5 +1,6 @@
 // sweep, job and merge as commands; lists of jobs as shells and schedulers run them.
 #include <algorithm>
+#include <set>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -109,33 +110,64 @@ TEST(MergeCommand, JoinsWhatSawTheSameFrames) {
   EXPECT_EQ(both.rows.at(0).figures.size(), 2u);
   EXPECT_TRUE(both.words.empty());
   const Outcome again = outcome({"merge", shards.string(), "-o", output, "--json"});
-  EXPECT_EQ(json::parse(again.out).at("shards"), 3); // and not itself among them
+  EXPECT_EQ(json::parse(again.out).at("scenes"), 2); // and not itself among them
   EXPECT_EQ(content_of(output), once);
   EXPECT_EQ(outcome({"merge", output, "-o", "-"}).out, once); // results are as good as what they were made of
   const Outcome files =
       outcome({"merge", (shards / "c.json").string(), (shards / "b.json").string(),
                (shards / "a.json").string(), "-o", (folder.path / "r.json").string(), "--json"});
-  EXPECT_EQ(json::parse(files.out).at("shards"), 3);
+  EXPECT_EQ(json::parse(files.out).at("scenes"), 2);
   EXPECT_EQ(content_of(folder.path / "r.json"), once);
 }
 
 TEST(MergeCommand, SaysTheProtocolThatAllHad) {
   const ScratchFolder folder;
-  const auto protocol_of = [&](const std::vector<Words>& added) {
+  const auto protocol_of = [&](const std::vector<std::string>& protocols) {
     Words merge = {"merge", "-o", "-"};
-    for (const Words& words : added) {
+    for (const std::string& protocol : protocols) {
       Measured m = fake_measured({"measure", "--modes", "blend", "--what", "ghosting"});
-      m.words.insert(m.words.end(), words.begin(), words.end());
+      m.protocol = protocol;
       merge.push_back((folder.path / (std::to_string(merge.size()) + ".json")).string());
       write_json(merge.back(), measured_json(m));
     }
-    return json::parse(outcome(merge).out).at("protocol").get<std::string>();
+    const json results = json::parse(outcome(merge).out);
+    EXPECT_EQ(results.at("scenes").size(), std::set(protocols.begin(), protocols.end()).size());
+    return results.at("protocol").get<std::string>();
   };
-  EXPECT_EQ(protocol_of({{"--protocol", "full"}, {"--protocol", "full"}}), "full");
-  EXPECT_EQ(protocol_of({{"--protocol", "full"}, {"--protocol", "quick"}}), "custom");
-  EXPECT_EQ(protocol_of({{"--protocol", "full", "--frames", "20"}}), "custom");
-  EXPECT_EQ(protocol_of({{}}), "custom");
-  EXPECT_EQ(protocol_of({{"--protocol"}}), "custom");
+  EXPECT_EQ(protocol_of({"full", "full"}), "full");
+  EXPECT_EQ(protocol_of({"full", "quick"}), "custom");
+}
+
+TEST(MergeCommand, PicturesThatDoNotLieWithTheFiguresAreLeftOut) {
+  const ScratchFolder folder;
+  const fs::path shards = folder.path / "shards";
+  fs::create_directory(shards);
+  fs::create_directory_symlink(folder.path, shards / "link");
+  Measured m = fake_measured({"measure", "--modes", "blend", "--what", "error"});
+  for (const char* picture : {"/etc/passwd", "../1.png", "a/../../1.png", "link/1.png", ""})
+    m.kept.push_back({.kind = "error", .mode = "blend", .picture = picture, .reference = "a/2.png"});
+  m.kept.push_back({.kind = "error", .mode = "blend", .picture = "a/1.png", .reference = "../2.png"});
+  write_json(shards / "a.json", measured_json(m));
+  const Outcome merged = outcome({"merge", shards.string(), "-o", "-"});
+  EXPECT_EQ(merged.exit, 0) << merged.err;
+  EXPECT_TRUE(json::parse(merged.out).at("scenes").at(0).at("kept").empty()) << merged.out;
+}
+
+TEST(MergeCommand, WithoutSamplesTheFiguresStay) {
+  const ScratchFolder folder;
+  const Measured m = fake_measured({"measure", "--modes", "blend", "--what", "ghosting"});
+  write_json(folder.path / "a.json", measured_json(m));
+  const json results = json::parse(outcome({"merge", folder.path.string(), "--no-samples", "-o", "-"}).out);
+  const json& row = results.at("scenes").at(0).at("rows").at(0);
+  EXPECT_EQ(row.at("ghosting"), m.rows[0].figures.at("ghosting"));
+  EXPECT_TRUE(row.at("samples").empty());
+}
+
+TEST(MergeCommand, ADeepFileIsRefused) {
+  const ScratchFolder folder;
+  const std::string deep = std::string(300'000, '[') + std::string(300'000, ']');
+  const std::string file = folder.file("deep.json", R"({"settings": )" + deep + "}").string();
+  expect_refused({"merge", file, "-o", "-"}, 3, "more than 64 deep");
 }
 
 TEST(MergeCommand, PicturesAreFoundFromTheResults) {

@@ -38,7 +38,8 @@ TEST(Jitters, StayInTheirPixelAboutItsMiddleAndRepeat) {
       places.insert({at.x, at.y});
     }
     EXPECT_EQ(places.size(), period) << answer.name;
-    EXPECT_LT(glm::length(mean), 0.12) << answer.name;
+    // Halton's few points are as published
+    EXPECT_LT(glm::length(mean), sequence == Jitter::r2_10 ? 1e-9 : 0.12) << answer.name;
   }
 }
 

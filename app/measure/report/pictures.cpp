@@ -128,6 +128,20 @@ Window common_window(const std::vector<Instant>& instants) {
   return worst_window(sum);
 }
 
+/// A map needs no more to be read, and there are many.
+FloatImage half_size(const FloatImage& error) {
+  FloatImage half{std::max(1u, error.width / 2), std::max(1u, error.height / 2), 1, {}};
+  for (uint32_t y = 0; y < half.height; ++y)
+    for (uint32_t x = 0; x < half.width; ++x) {
+      const size_t at = size_t(2 * y) * error.width + 2 * x, right = error.width > 1,
+                   down = error.height > 1 ? error.width : 0;
+      half.values.push_back((error.values[at] + error.values[at + right] + error.values[at + down] +
+                             error.values[at + down + right]) /
+                            4);
+    }
+  return half;
+}
+
 std::string instant_html(const std::vector<Instant>& instants, const Image& reference, uint32_t frame) {
   const Window window = common_window(instants);
   std::string html = "<div class=\"instant\"><p class=\"note\">Frame " + std::to_string(frame) +
@@ -138,10 +152,10 @@ std::string instant_html(const std::vector<Instant>& instants, const Image& refe
                      figure(cut(reference, window), "supersampled reference", "data-picture=\"reference\" ");
   for (const Instant& one : instants) {
     const std::string mode = escaped(one.kept->mode);
-    html +=
-        figure(cut(one.picture, window), one.kept->mode + ", mean FLIP " + number(one.kept->flip, 4),
-               "data-picture=\"" + mode + "\" ") +
-        figure(magma(cut(one.error, window)), one.kept->mode + ", FLIP map", "data-map=\"" + mode + "\" ");
+    html += figure(cut(one.picture, window), one.kept->mode + ", mean FLIP " + number(one.kept->flip, 4),
+                   "data-picture=\"" + mode + "\" ") +
+            figure(magma(half_size(cut(one.error, window))), one.kept->mode + ", FLIP map",
+                   "data-map=\"" + mode + "\" ");
   }
   return html + "</div></details></div>\n";
 }

@@ -1,6 +1,7 @@
 #include "app/measure/report/report_page.h"
 
 #include <algorithm>
+#include <map>
 
 #include "app/measure/report/embedded.h"
 #include "app/measure/report/html.h"
@@ -36,7 +37,8 @@ std::string case_section(const Measured& m, const Results& results, const Looks&
          titled("Convergence", figures_of(convergence_charts(m, looks, id), data)) +
          titled("Run time and trail", figures_of(spreads, data)) +
          titled("The same instant", instant_pictures(m, pictures)) +
-         titled("Worst frames", worst_frames(m, looks, pictures, id)) + "</section>\n";
+         titled("The worst frames of modes that ghost most here", worst_frames(m, looks, pictures, id)) +
+         "</section>\n";
 }
 
 /// Every mode's mark by family: the charts' key, which the script makes a filter.
@@ -76,7 +78,22 @@ std::string case_links(const Results& results) {
   return html + "</nav>\n";
 }
 
-std::string body_of(const Results& results, const FindPicture& pictures, const PageNotes& notes) {
+/// Of the frames beside the aliased one, each mode's worst of all cases: a page of all would be too large to
+/// open.
+Results with_worst_frames_only(Results results) {
+  std::map<std::string, double> worst;
+  for (const Measured& m : results.scenes)
+    for (const KeptFrame& kept : m.kept)
+      if (kept.kind == "ghosting") worst[kept.mode] = std::max(worst[kept.mode], kept.flip);
+  for (Measured& m : results.scenes)
+    std::erase_if(m.kept, [&](const KeptFrame& kept) {
+      return kept.kind == "ghosting" && (kept.flip < worst.at(kept.mode) || kept.flip == 0);
+    });
+  return results;
+}
+
+std::string body_of(const Results& all, const FindPicture& pictures, const PageNotes& notes) {
+  const Results results = with_worst_frames_only(all);
   const Looks looks = looks_of(results);
   json data = {{"charts", json::object()}};
   std::string cases;

@@ -50,13 +50,15 @@ void Scale::make_rows(const std::vector<std::string>& rows) {
 
 void Scale::make_linear(double low, double high) {
   if (low > 0 && low < 0.4 * high) low = 0;
-  if (low == high) low -= low == 0 ? 1 : std::abs(low) / 2, high += high == 0 ? 1 : std::abs(high) / 2;
+  if (high - low <= 1e-9 * std::max(std::abs(low), std::abs(high)))
+    low -= low == 0 ? 1 : std::abs(low) / 2, high += high == 0 ? 1 : std::abs(high) / 2;
   const double step = step_for(high - low, 6);
   low_ = std::floor(low / step + 0.02) * step, high_ = std::ceil(high / step - 0.02) * step;
   if (low < low_) low_ -= step;
   if (high > high_) high_ += step;
   std::vector<double> values;
-  for (double at = low_; at < high_ + step / 2; at += step) values.push_back(at);
+  const auto steps = int(std::lround((high_ - low_) / step));
+  for (int i = 0; i <= steps; ++i) values.push_back(low_ + i * step);
   low_ -= 0.025 * (high_ - low_); // so that nothing lies on the frame
   for (const double at : values)
     ticks_.push_back({(*this)(at), tick_text(std::abs(at) < step / 1e6 ? 0 : at, step)});

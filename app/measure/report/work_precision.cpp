@@ -11,8 +11,9 @@ namespace unghost {
 namespace {
 
 constexpr std::string_view shown[] = {"error", "ghosting", "shimmer", "flicker", "trail"};
-/// Taken against the aliased frame, which has none of it by definition.
-constexpr std::string_view against_aliased[] = {"ghosting", "trail"};
+/// A frame without jitter and history has none of these by definition: they are taken against it, or between
+/// frames of it that are the same.
+constexpr std::string_view none_when_aliased[] = {"ghosting", "trail", "shimmer"};
 
 std::optional<double> figure_in(const std::map<std::string, double>& figures, std::string_view name) {
   const auto found = figures.find(std::string(name));
@@ -65,8 +66,8 @@ ChartSeries supersampling(const Measured& m, const FigureKind& kind) {
 
 std::string caption_of(const FigureKind& kind) {
   std::string text = std::string(kind.summary) + " Less is better on both axes.";
-  if (std::ranges::find(against_aliased, kind.name) != std::end(against_aliased))
-    text += " The aliased frame itself, at 0 ms, has none and is on no front here.";
+  if (std::ranges::find(none_when_aliased, kind.name) != std::end(none_when_aliased))
+    text += " The aliased frame itself, at 0 ms, has none of it and is on no front here.";
   return text;
 }
 
@@ -117,7 +118,7 @@ std::vector<const FigureKind*> errors_in(const Measured& m) {
 }
 
 std::vector<size_t> front_of(const Measured& m, std::string_view figure) {
-  const bool leaves_out_aliased = std::ranges::find(against_aliased, figure) != std::end(against_aliased);
+  const bool leaves_out_aliased = std::ranges::find(none_when_aliased, figure) != std::end(none_when_aliased);
   std::vector<CostAndError> points;
   for (const MeasuredMode& row : m.rows) {
     const auto at = point_of(row.figures, figure);

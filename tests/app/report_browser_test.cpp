@@ -131,7 +131,7 @@ TEST_F(ReportBrowser, AHeadSortsItsColumnBothWays) {
     say("rising", sorted(1) + "," + head.getAttribute("aria-sort"));
     head.querySelector("button").click();
     say("falling", sorted(-1) + "," + head.getAttribute("aria-sort"));
-    const over = heads.find((cell) => cell.textContent.startsWith("over a copy"));
+    const over = heads.find((cell) => cell.textContent.startsWith("resolve, over a copy"));
     over.querySelector("button").click();
     over.querySelector("button").click();
     say("last", [...table.tBodies[0].rows].at(-1).dataset.mode);

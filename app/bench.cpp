@@ -31,6 +31,21 @@ nlohmann::json json_of(const std::string& mode, const ModeTimes& row) {
           {"over_no_rejection", median_of(row.over_no_rejection)}};
 }
 
+/// Into the object, and as a table.
+Table add_rows(const Shot& shot, const RunTimes& times, nlohmann::json& object) {
+  Table table{{"mode", "adds ms", "5%", "95%", "resolve ms", "over copy", "over naive", "over no rejection"}};
+  for (size_t mode = 0; mode < shot.modes.size(); ++mode) {
+    const std::string& mode_name = shot.modes[mode].name;
+    const nlohmann::json row = object["rows"].emplace_back(json_of(mode_name, times.modes[mode]));
+    const auto cell = [&](const char* name, int digits) {
+      return row.at(name).is_null() ? "-" : fixed(row.at(name).get<double>(), digits);
+    };
+    table.add({mode_name, cell("ms", 2), cell("p05", 2), cell("p95", 2), cell("resolve_ms", 2),
+               cell("over_copy", 2), cell("over_naive", 3), cell("over_no_rejection", 3)});
+  }
+  return table;
+}
+
 void add_sharing(const Shot& shot, Headless& headless, nlohmann::json& object) {
   constexpr uint32_t rounds = 3;
   const Sharing sharing = time_sharing(headless.film(), shot.modes, rounds);
@@ -58,16 +73,7 @@ void bench(const CommandLine& line, Console& console) {
   object["scene"] = shot.scene, object["seed"] = shot.seed;
   object["copy_ms"] = quantile(times.copy_ms, 0.5), object["motion_ms"] = quantile(times.motion_ms, 0.5);
   object["geometry_ms"] = quantile(times.geometry_ms, 0.5);
-  Table table{{"mode", "adds ms", "5%", "95%", "resolve ms", "over copy", "over naive", "over no rejection"}};
-  for (size_t mode = 0; mode < shot.modes.size(); ++mode) {
-    const std::string& mode_name = shot.modes[mode].name;
-    const nlohmann::json row = object["rows"].emplace_back(json_of(mode_name, times.modes[mode]));
-    const auto cell = [&](const char* name, int digits) {
-      return row.at(name).is_null() ? "-" : fixed(row.at(name).get<double>(), digits);
-    };
-    table.add({mode_name, cell("ms", 2), cell("p05", 2), cell("p95", 2), cell("resolve_ms", 2),
-               cell("over_copy", 2), cell("over_naive", 3), cell("over_no_rejection", 3)});
-  }
+  const Table table = add_rows(shot, times, object);
   if (line.alone) add_sharing(shot, headless, object);
   console.out << (line.json ? object.dump(2) + "\n" : table.text());
   if (!line.json && !console.quiet)

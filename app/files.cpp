@@ -101,6 +101,10 @@ void write_file(const fs::path& path, std::span<const uint8_t> bytes) {
   file.commit();
 }
 
+std::span<const uint8_t> bytes_of(const std::string& text) {
+  return {reinterpret_cast<const uint8_t*>(text.data()), text.size()};
+}
+
 void make_folder(const fs::path& folder) {
   std::error_code error;
   fs::create_directories(folder, error);

@@ -33,6 +33,7 @@ private:
 };
 
 void write_file(const std::filesystem::path& path, std::span<const uint8_t> bytes);
+std::span<const uint8_t> bytes_of(const std::string& text);
 /// Makes the folder where it is not there. Throws Failure(failed).
 void make_folder(const std::filesystem::path& folder);
 /// Throws Failure(input_refused) where it cannot be read, is no regular file, or has more than `limit` bytes.

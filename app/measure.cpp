@@ -71,7 +71,7 @@ void measure(const CommandLine& line, Console& console) {
   }
   const std::string json = measured_json(measured).dump(2) + "\n";
   if (file != nullptr) {
-    file->write({reinterpret_cast<const uint8_t*>(json.data()), json.size()});
+    file->write(bytes_of(json));
     file->commit();
   }
   console.out << (line.json || line.output == "-" ? json : text_of(measured));

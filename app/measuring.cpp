@@ -70,17 +70,9 @@ Measured described(const MeasurePlan& plan, const Headless& headless) {
              .protocol = std::string(plan.protocol.word),
              .frames = last_frame(plan.protocol) + 1,
              .fill = plan.protocol.fill,
-             .samples = 0,
-             .error_frames = {},
              .settings = shot.at("settings"),
              .set = plan.line.assignments,
-             .words = plan.line.words,
-             .modes = {},
-             .timing = {},
-             .rows = {},
-             .supersampled = {},
-             .convergence = {},
-             .kept = {}};
+             .words = plan.line.words};
   for (const nlohmann::json& mode : shot.at("modes")) {
     m.modes.emplace_back(mode.at("name"), mode.at("settings"));
     m.rows.push_back({.mode = mode.at("name"), .figures = {}, .samples = {}});

@@ -27,7 +27,6 @@ namespace unghost {
 namespace {
 
 constexpr size_t most_bytes = size_t(1) << 31;
-constexpr uint64_t most_pixels = uint64_t(1) << 28;
 
 struct Unreadable : std::runtime_error {
   using std::runtime_error::runtime_error;
@@ -40,7 +39,7 @@ bool begins_with(const std::vector<uint8_t>& bytes, std::string_view magic) {
 
 void check_size(int64_t width, int64_t height) {
   if (width < 1 || height < 1 || width > longest_side || height > longest_side ||
-      uint64_t(width) * uint64_t(height) > most_pixels)
+      uint64_t(width) * uint64_t(height) > most_picture_pixels)
     throw Unreadable("its size is " + std::to_string(width) + "x" + std::to_string(height) +
                      ", and neither side may exceed " + std::to_string(longest_side));
 }

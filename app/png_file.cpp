@@ -84,8 +84,7 @@ std::vector<uint8_t> encode_png(const Image& picture, const std::string& text) {
 }
 
 Image decode_png(std::span<const uint8_t> bytes, uint32_t longest) {
-  constexpr uint64_t most_pixels = uint64_t(1) << 28;
-  gltf::PictureBounds bounds{.side = longest, .bytes_left = 4 * most_pixels};
+  gltf::PictureBounds bounds{.side = longest, .bytes_left = 4 * most_picture_pixels};
   return gltf::decode_png(bytes, bounds);
 }
 

@@ -14,6 +14,7 @@ namespace unghost {
 /// sRGB, 8 bits, alpha left out; `text` goes into an iTXt chunk with the key "unghost". The same bytes for
 /// the same picture and text. Throws Failure(failed).
 std::vector<uint8_t> encode_png(const Image& picture, const std::string& text);
+constexpr uint64_t most_picture_pixels = uint64_t(1) << 28;
 /// Any PNG with sides of at most `longest`, as 8-bit RGBA. Throws what says why it cannot be shown.
 Image decode_png(std::span<const uint8_t> bytes, uint32_t longest = 16384);
 bool is_png(std::span<const uint8_t> bytes);

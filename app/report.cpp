@@ -56,10 +56,6 @@ void measure_all_of(const std::vector<Job>& jobs, const fs::path& folder, Consol
   }
 }
 
-void write_text(const fs::path& file, const std::string& text) {
-  write_file(file, {reinterpret_cast<const uint8_t*>(text.data()), text.size()});
-}
-
 /// Nothing is decoded that is larger than `side`.
 std::optional<Image> find_picture(const fs::path& folder, const std::string& file, uint32_t side) {
   throw_if_interrupted();
@@ -116,9 +112,9 @@ void report(const CommandLine& line, Console& console) {
   };
   const std::string page =
       report_page(results, find, report_notes(results)); // throws where a picture is broken
-  write_text(folder / "results.json", results_json(results).dump(1) + "\n");
-  write_text(folder / "results.csv", results_csv(results));
-  write_text(folder / "index.html", page);
+  write_file(folder / "results.json", bytes_of(results_json(results).dump(1) + "\n"));
+  write_file(folder / "results.csv", bytes_of(results_csv(results)));
+  write_file(folder / "index.html", bytes_of(page));
   if (baseline) return compare_with_baseline(line, *baseline, results, console);
   if (line.json)
     console.out << nlohmann::json{{"file", (folder / "index.html").string()},

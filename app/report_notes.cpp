@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 
 #include "app/measure/bootstrap.h"
 #include "app/measure/report/paper_tables.h"
@@ -23,10 +22,6 @@ constexpr Column columns[] = {{"ghosting", &PaperRow::ghosting, "ghosts less"},
 const MeasuredMode* row_of(const Measured& m, std::string_view mode) {
   const auto found = std::ranges::find(m.rows, mode, &MeasuredMode::mode);
   return found == m.rows.end() ? nullptr : &*found;
-}
-
-bool shows(const Measured& m, const PaperTable& table) {
-  return std::filesystem::path(m.scene).stem() == table.scene && m.rig == table.rig;
 }
 
 std::string percent(double share) { return fixed(100 * std::abs(share), 1) + "%"; }
@@ -103,7 +98,7 @@ PageNotes report_notes(const Results& results) {
     // the largest of what shows it speaks for the others
     const Measured* shown = nullptr;
     for (const Measured& m : results.scenes)
-      if (shows(m, table) &&
+      if (is_of(table, m) &&
           (shown == nullptr || m.width * uint64_t(m.height) > shown->width * uint64_t(shown->height)))
         shown = &m;
     for (const Column& column : columns)

@@ -119,7 +119,7 @@ void merge(const CommandLine& line, Console& console) {
     console.out << text;
     return;
   }
-  write_file(line.output, {reinterpret_cast<const uint8_t*>(text.data()), text.size()});
+  write_file(line.output, bytes_of(text));
   if (line.json)
     console.out << json{{"file", line.output}, {"scenes", results.scenes.size()}}.dump(2) << "\n";
   else if (!console.quiet)

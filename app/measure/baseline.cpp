@@ -35,8 +35,7 @@ std::string join(const std::vector<std::string>& words, const char* between) {
 }
 
 std::string name_of(const Measured& m) {
-  std::string name = m.scene + ", " + m.rig + ", " + std::to_string(m.width) + "x" +
-                     std::to_string(m.height) + ", seed " + std::to_string(m.seed);
+  std::string name = m.scene + ", " + m.rig + ", " + size_of(m) + ", seed " + std::to_string(m.seed);
   return m.set.empty() ? name : name + ", " + join(m.set, " ");
 }
 

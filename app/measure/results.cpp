@@ -80,6 +80,13 @@ KeptFrame kept_of(const json& object) {
           .reference = object.at("reference")};
 }
 
+void read_size(const std::string& size, Measured& m) {
+  const auto [x, error] = std::from_chars(size.data(), size.data() + size.size(), m.width);
+  if (error != std::errc{} || x == size.data() + size.size() || *x != 'x' ||
+      std::from_chars(x + 1, size.data() + size.size(), m.height).ptr != size.data() + size.size())
+    throw std::invalid_argument("'" + size + "' is no size");
+}
+
 Measured read_measured(const json& object) {
   Measured m{.version = object.at("version"),
              .build = object.at("build"),
@@ -99,19 +106,9 @@ Measured read_measured(const json& object) {
              .error_frames = object.at("error_frames"),
              .settings = object.at("settings"),
              .set = object.at("set"),
-             .words = object.at("words"),
-             .modes = {},
-             .timing = {},
-             .rows = {},
-             .supersampled = {},
-             .convergence = {},
-             .kept = {}};
+             .words = object.at("words")};
   if (!m.settings.is_object()) throw std::invalid_argument("its settings are no object");
-  const std::string size = object.at("size");
-  const auto [x, error] = std::from_chars(size.data(), size.data() + size.size(), m.width);
-  if (error != std::errc{} || x == size.data() + size.size() || *x != 'x' ||
-      std::from_chars(x + 1, size.data() + size.size(), m.height).ptr != size.data() + size.size())
-    throw std::invalid_argument("'" + size + "' is no size");
+  read_size(object.at("size"), m);
   for (const json& mode : object.at("modes")) m.modes.emplace_back(mode.at("name"), mode.at("settings"));
   if (!object.at("timing").is_null()) m.timing = timing_of(object.at("timing"));
   for (const json& row : object.at("rows")) m.rows.push_back(row_of(row));
@@ -148,6 +145,8 @@ std::span<const FigureKind> figure_kinds() {
   return kinds;
 }
 
+std::string size_of(const Measured& m) { return std::to_string(m.width) + "x" + std::to_string(m.height); }
+
 json measured_json(const Measured& m) {
   json object = {{"version", m.version},
                  {"build", m.build},
@@ -159,7 +158,7 @@ json measured_json(const Measured& m) {
                  {"inputs", m.inputs},
                  {"scene", m.scene},
                  {"rig", m.rig},
-                 {"size", std::to_string(m.width) + "x" + std::to_string(m.height)},
+                 {"size", size_of(m)},
                  {"seed", m.seed},
                  {"protocol", m.protocol},
                  {"frames", m.frames},

@@ -94,6 +94,8 @@ struct Measured {
   std::vector<KeptFrame> kept;
 };
 
+/// "640x360"
+std::string size_of(const Measured& measured);
 nlohmann::json measured_json(const Measured& measured);
 /// Throws Failure(input_refused) with what is wrong; `where` is the file.
 Measured measured_from_json(const nlohmann::json& object, const std::string& where);

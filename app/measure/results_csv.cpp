@@ -32,15 +32,9 @@ std::string results_csv(const Results& results) {
   std::string csv = line_of(heads);
   for (const Measured& m : results.scenes)
     for (const MeasuredMode& row : m.rows) {
-      std::vector<std::string> cells = {m.scene,
-                                        m.rig,
-                                        std::to_string(m.width) + "x" + std::to_string(m.height),
-                                        std::to_string(m.seed),
-                                        row.mode,
-                                        m.timing ? m.timing->host : "",
-                                        m.device,
-                                        m.driver,
-                                        m.build};
+      std::vector<std::string> cells = {
+          m.scene,  m.rig,    size_of(m), std::to_string(m.seed), row.mode, m.timing ? m.timing->host : "",
+          m.device, m.driver, m.build};
       for (const FigureKind& kind : figure_kinds()) {
         const auto found = row.figures.find(std::string(kind.name));
         cells.push_back(found == row.figures.end() ? "" : nlohmann::json(found->second).dump());

@@ -49,14 +49,14 @@ inline Measured fake_measured(const Words& words, const Maker& maker = fake_make
 
 inline void write_json(const std::filesystem::path& file, const nlohmann::json& object) {
   const std::string text = object.dump(2) + "\n";
-  write_file(file, {reinterpret_cast<const uint8_t*>(text.data()), text.size()});
+  write_file(file, bytes_of(text));
 }
 
 /// Takes a while, as measuring does, half of it with half a file written.
 inline void fake_run(const Words& words, Console&) {
   const AskedWords asked = apart_from_output(words);
   const std::string text = measured_json(fake_measured(asked.words)).dump(2);
-  const std::span<const uint8_t> bytes(reinterpret_cast<const uint8_t*>(text.data()), text.size());
+  const std::span<const uint8_t> bytes = bytes_of(text);
   NewFile file(asked.output);
   file.write(bytes.first(bytes.size() / 2));
   std::this_thread::sleep_for(std::chrono::milliseconds(10));

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 
 #include "app/measure/report/html.h"
 #include "app/measure/report/paper_tables.h"
@@ -92,7 +91,7 @@ std::string comparison(const PaperTable& table, const Measured& m, const Results
 }
 
 bool shows(const Measured& m, const PaperTable& table) {
-  if (std::filesystem::path(m.scene).stem() != table.scene || m.rig != table.rig) return false;
+  if (!is_of(table, m)) return false;
   const auto measured = [&](const PaperRow& row) {
     return std::ranges::find(m.rows, row.mode, &MeasuredMode::mode) != m.rows.end();
   };

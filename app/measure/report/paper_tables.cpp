@@ -2,6 +2,7 @@
 
 #include <cassert>
 #include <cmath>
+#include <filesystem>
 
 namespace unghost {
 
@@ -29,6 +30,10 @@ std::span<const PaperTable> paper_tables() {
       {"Table 2, asphalt", "asphalt", "drive", asphalt},
   };
   return tables;
+}
+
+bool is_of(const PaperTable& table, const Measured& measured) {
+  return std::filesystem::path(measured.scene).stem() == table.scene && measured.rig == table.rig;
 }
 
 OrderComparison compare_orders(std::span<const double> theirs, std::span<const double> ours) {

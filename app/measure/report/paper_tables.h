@@ -8,6 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "app/measure/results.h"
+
 namespace unghost {
 
 struct PaperRow {
@@ -21,6 +23,9 @@ struct PaperTable {
 };
 /// Tables 1 and 2. The first row of each is the one that its times are compared with.
 std::span<const PaperTable> paper_tables();
+
+/// Whether it shows what the table does.
+bool is_of(const PaperTable& table, const Measured& measured);
 
 /// Of all pairs: as in Kendall's rank correlation.
 struct OrderComparison {

@@ -7,8 +7,6 @@
 namespace unghost {
 namespace {
 
-std::string size_of(const Measured& m) { return std::to_string(m.width) + "x" + std::to_string(m.height); }
-
 /// Items as a sentence has them.
 std::string listed(const std::vector<std::string>& items) {
   std::string text;

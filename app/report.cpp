@@ -87,6 +87,10 @@ void compare_with_baseline(const CommandLine& line, const Results& baseline, con
   const BaselineComparison comparison =
       compared_with(baseline, results, line.report.allow.value_or(usual_allowance));
   console.out << (line.json ? comparison_json(comparison).dump(2) + "\n" : comparison_text(comparison));
+  if (comparison.changes.empty()) // a check that passes because nothing was checked is none
+    throw Failure(Exit::input_refused,
+                  file + " has nothing to compare these results with: no figure of the same "
+                         "scene, rig, size, seed and settings with its samples");
   if (const size_t count = regressions(comparison); count > 0) {
     console.out.flush();
     throw Failure(Exit::failed, std::to_string(count) + (count == 1 ? " figure is" : " figures are") +

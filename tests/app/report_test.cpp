@@ -183,6 +183,11 @@ TEST_F(Reported, BesideABaselineSaysWhatIsWorseAndEndsWithOne) {
   EXPECT_NE(worse.out.find("ghosting"), std::string::npos) << worse.out;
   EXPECT_NE(worse.err.find("worse than"), std::string::npos) << worse.err;
   EXPECT_EQ(beside(folder_->file("broken.json", "{}").string()).exit, 3);
+  nlohmann::json other = better;
+  other["scenes"][0]["rig"] = "pass";
+  const Outcome nothing = beside(folder_->file("other.json", other.dump()).string());
+  EXPECT_EQ(nothing.exit, 3) << nothing.out;
+  EXPECT_NE(nothing.err.find("nothing to compare"), std::string::npos) << nothing.err;
   const std::string own = folder_->file("b/results.json", better.dump()).string(); // is written over
   EXPECT_EQ(beside(own).exit, 1);
 }

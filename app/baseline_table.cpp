@@ -13,19 +13,6 @@ std::string percent(double share) {
   return (share < 0 ? "-" : "+") + text + "%";
 }
 
-/// What is to be read first.
-int order_of(const Change& change) {
-  if (change.regression) return 0;
-  switch (change.verdict) {
-  case Verdict::worse:
-    return 1;
-  case Verdict::better:
-    return 2;
-  default:
-    return 3;
-  }
-}
-
 std::string scene_of(const Change& change) {
   std::string text = change.scene;
   for (const std::string& assignment : change.set) text += " " + assignment;
@@ -50,10 +37,7 @@ Table table_of(const std::vector<Change>& changes) {
 } // namespace
 
 std::string comparison_text(const BaselineComparison& comparison) {
-  std::vector<Change> changed;
-  for (const Change& change : comparison.changes)
-    if (change.verdict != Verdict::same) changed.push_back(change);
-  std::ranges::stable_sort(changed, {}, order_of);
+  const std::vector<Change> changed = differences(comparison);
   std::string text = changed.empty() ? "" : table_of(changed).text();
   text += std::to_string(comparison.changes.size() - changed.size()) + " of " +
           std::to_string(comparison.changes.size()) + " figures are the same in every sample; " +

@@ -40,8 +40,7 @@ void measure_all_of(const std::vector<Job>& jobs, const fs::path& folder, Consol
   Console of_jobs{.out = nowhere, .err = console.err, .quiet = true, .verbose = false, .terminal = false};
   double work = 0;
   std::vector<double> works;
-  for (const Job& job : jobs) works.push_back(work_of(MeasurePlan(command_line_of(job.words))));
-  for (const double of_job : works) work += of_job;
+  for (const Job& job : jobs) work += works.emplace_back(work_of(MeasurePlan(command_line_of(job.words))));
   Progress progress(console, work);
   of_jobs.progress = &progress;
   const Worker worker = this_process();
@@ -81,20 +80,17 @@ Results results_for(const CommandLine& line, const std::vector<Job>& jobs, const
   return results_of(files, folder);
 }
 
-void compare_with_baseline(const CommandLine& line, const Results& baseline, const Results& results,
-                           Console& console) {
-  const std::string file = *line.report.baseline;
-  const BaselineComparison comparison =
-      compared_with(baseline, results, line.report.allow.value_or(usual_allowance));
+void say_what_changed(const CommandLine& line, const Baseline& baseline, Console& console) {
+  const BaselineComparison& comparison = baseline.comparison;
   console.out << (line.json ? comparison_json(comparison).dump(2) + "\n" : comparison_text(comparison));
   if (comparison.changes.empty()) // a check that passes because nothing was checked is none
     throw Failure(Exit::input_refused,
-                  file + " has nothing to compare these results with: no figure of the same "
-                         "scene, rig, size, seed and settings with its samples");
+                  baseline.file + " has nothing to compare these results with: no figure of the same "
+                                  "scene, rig, size, seed and settings with its samples");
   if (const size_t count = regressions(comparison); count > 0) {
     console.out.flush();
     throw Failure(Exit::failed, std::to_string(count) + (count == 1 ? " figure is" : " figures are") +
-                                    " worse than in " + file + " by more than is allowed");
+                                    " worse than in " + baseline.file + " by more than is allowed");
   }
 }
 
@@ -114,12 +110,15 @@ void report(const CommandLine& line, Console& console) {
   const auto find = [&](const KeptFrame&, const std::string& file) {
     return find_picture(folder, file, side);
   };
-  const std::string page =
-      report_page(results, find, report_notes(results)); // throws where a picture is broken
+  PageNotes notes = report_notes(results);
+  if (baseline)
+    notes.baseline = {*line.report.baseline,
+                      compared_with(*baseline, results, line.report.allow.value_or(usual_allowance))};
+  const std::string page = report_page(results, find, notes); // throws where a picture is broken
   write_file(folder / "results.json", bytes_of(results_json(results).dump(1) + "\n"));
   write_file(folder / "results.csv", bytes_of(results_csv(results)));
   write_file(folder / "index.html", bytes_of(page));
-  if (baseline) return compare_with_baseline(line, *baseline, results, console);
+  if (notes.baseline) return say_what_changed(line, *notes.baseline, console);
   if (line.json)
     console.out << nlohmann::json{{"file", (folder / "index.html").string()},
                                   {"results", (folder / "results.json").string()},

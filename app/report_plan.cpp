@@ -56,7 +56,7 @@ std::vector<Job> report_jobs(const CommandLine& line) {
     for (const std::string& rig : rigs_of(line)) {
       if (!first && !line.report.full && rig != timed_rig && !line.rig) continue; // minutes
       std::string what = words_by_default();
-      if (rig == "still") what += ",convergence";
+      if (rig == rest_rig) what += ",convergence";
       jobs.push_back(
           job_of(line, rig, size, {"--what", what, "--keep", keeps_pictures(line, size) ? "worst" : "none"}));
     }

@@ -257,6 +257,17 @@ size_t regressions(const BaselineComparison& comparison) {
   return size_t(std::ranges::count(comparison.changes, true, &Change::regression));
 }
 
+std::vector<Change> differences(const BaselineComparison& comparison) {
+  std::vector<Change> changed;
+  for (const Change& change : comparison.changes)
+    if (change.verdict != Verdict::same) changed.push_back(change);
+  const auto rank = [](const Change& c) {
+    return c.regression ? 0 : c.verdict == Verdict::worse ? 1 : c.verdict == Verdict::better ? 2 : 3;
+  };
+  std::ranges::stable_sort(changed, {}, rank);
+  return changed;
+}
+
 json comparison_json(const BaselineComparison& comparison) {
   json object = {{"allowed_share", comparison.allowed_share},
                  {"regressions", regressions(comparison)},

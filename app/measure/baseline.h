@@ -46,6 +46,8 @@ constexpr double usual_allowance = 0.05;
 BaselineComparison compared_with(const Results& baseline, const Results& now, double allowed_share);
 
 size_t regressions(const BaselineComparison& comparison);
+/// What is not the same in every sample: regressions first, then worse, better, and noise.
+std::vector<Change> differences(const BaselineComparison& comparison);
 /// {"allowed_share", "regressions", "changes": [...], "missing": [...]}
 nlohmann::json comparison_json(const BaselineComparison& comparison);
 

@@ -27,7 +27,7 @@ std::vector<ModeRun> jitter_runs() {
 } // namespace
 
 void measure_convergence(const Measurement& m, Measured& into) {
-  std::vector<ModeRun> runs = jittered(m.modes);
+  std::vector<ModeRun> runs = m.modes;
   const std::vector<ModeRun> of_jitters = jitter_runs();
   runs.insert(runs.end(), of_jitters.begin(), of_jitters.end());
   Convergence convergence{.frames = frame_counts(m.protocol), .curves = {}};

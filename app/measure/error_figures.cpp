@@ -118,7 +118,7 @@ std::vector<uint32_t> reference_frames(const Protocol& protocol) {
 }
 
 void measure_error(const Measurement& m, Measured& into) {
-  std::vector<ModeRun> runs = jittered(m.modes);
+  std::vector<ModeRun> runs = m.modes;
   runs.push_back({.name = "surfaces", .taa = {}}); // without jitter: what was visible where
   Errors errors(m, into);
   errors.draw_references();

@@ -11,7 +11,7 @@ void measure_motion(const Measurement& m, Measured& into);      // ghosting, tra
 void measure_rest(const Measurement& m, Measured& into);        // shimmer
 void measure_error(const Measurement& m, Measured& into);       // error, flicker
 void measure_convergence(const Measurement& m, Measured& into); // convergence
-void measure_time(const Measurement& m, Measured& into);        // run_time
+void measure_time(const Measurement& m, Measured& into);        // time
 
 /// What Steadiness reads, of the geometry that `mode` has.
 std::vector<Wanted> surfaces_wanted(size_t mode = 0);

@@ -127,10 +127,11 @@ std::vector<Measured> joined(const std::vector<const Measured*>& alike) {
 
 std::vector<Measured> merged(std::vector<Measured> parts) {
   using Key = std::tuple<std::string, uint64_t, uint64_t, std::string, std::string, std::string>;
-  std::map<Key, const Measured*> sorted; // by what people look for first; the whole of it decides the rest
+  std::map<Key, const Measured*>
+      sorted; // by what people look for first, the largest first; the whole of it decides the rest
   for (const Measured& m : parts)
-    sorted.emplace(Key(m.scene, m.seed, uint64_t(m.width) * m.height, m.rig, identity_of(m).dump(),
-                       measured_json(m).dump()),
+    sorted.emplace(Key(m.scene, m.seed, UINT64_MAX - uint64_t(m.width) * m.height, m.rig,
+                       identity_of(m).dump(), measured_json(m).dump()),
                    &m);
   std::vector<std::vector<const Measured*>> groups;
   std::map<std::string, std::vector<size_t>> of_identity; // into `groups`

@@ -47,15 +47,16 @@ struct Measurement {
   const Film& film;
   Protocol protocol;
   std::set<Aspect> aspects;
-  std::vector<ModeRun> modes;
-  ReferenceCache references; // of supersampled frames
+  std::vector<ModeRun> modes; // as jittered() has them
+  ReferenceCache references;  // of supersampled frames
   Keep keep = Keep::none;
   std::function<void(const std::string& file, const Image& picture)> save; // where `keep` is not none
 };
 
 /// Frames of the rig that are drawn: those that fill the history and those that count.
 inline uint32_t last_frame(const Protocol& protocol) { return protocol.fill + protocol.measured - 1; }
-/// Those that are supersampled: pairs of successive frames, evenly among those that count, the last included.
+/// Those that are supersampled: pairs of successive frames about evenly among those that count, each at
+/// another phase of the jitter, the last included.
 std::vector<uint32_t> reference_frames(const Protocol& protocol);
 inline bool asks(const Measurement& m, Aspect aspect) { return m.aspects.contains(aspect); }
 

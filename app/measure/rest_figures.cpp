@@ -24,15 +24,14 @@ void keep_all(const Measurement& m, uint32_t frame, const FrameResult& result) {
 } // namespace
 
 void measure_rest(const Measurement& m, Measured& into) {
-  const std::vector<ModeRun> runs = jittered(m.modes);
-  std::vector<std::optional<SeenPicture>> last(runs.size());
+  std::vector<std::optional<SeenPicture>> last(m.modes.size());
   for (uint32_t frame = 0; frame <= last_frame(m.protocol) + 1; ++frame) {
     FrameInput input = at_rest(m.film, m.protocol.fill);
     input.cut = frame == 0;
     input.index = frame;
-    input.modes = runs;
+    input.modes = m.modes;
     if (frame >= m.protocol.fill)
-      for (size_t mode = 0; mode < runs.size(); ++mode) input.wanted.push_back({Output::display, mode});
+      for (size_t mode = 0; mode < m.modes.size(); ++mode) input.wanted.push_back({Output::display, mode});
     FrameResult result = m.film.draw(input);
     if (frame < m.protocol.fill) continue;
     keep_all(m, frame, result);

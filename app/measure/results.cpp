@@ -125,9 +125,9 @@ Measured read_measured(const json& object) {
 
 std::span<const FigureKind> figure_kinds() {
   static constexpr FigureKind kinds[] = {
-      {"ghosting", "ghosting", "mean FLIP", "Against the aliased frame, in motion, without jitter."},
+      {"ghosting", "ghosting", "mean FLIP", "Against the aliased frame, without jitter."},
       {"shimmer", "shimmer", "mean FLIP", "Between frames of a scene at rest, with jitter."},
-      {"error", "error", "mean FLIP", "Against a supersampled frame, in motion, with jitter."},
+      {"error", "error", "mean FLIP", "Against a supersampled frame, with jitter."},
       {"flicker", "flicker", "mean difference", "How much the error changes along the motion."},
       {"trail", "trail", "share", "Of the ghost that remains where a surface or its light changed.", 3},
       {"trail_surface", "trail, surfaces", "share", "Where another surface was.", 3},

@@ -13,6 +13,9 @@
 
 namespace unghost {
 
+/// The rig in which nothing moves.
+constexpr const char* rest_rig = "still";
+
 /// Of results.json. Another one is refused.
 constexpr int results_format = 1;
 
@@ -68,7 +71,7 @@ struct KeptFrame {
 struct Timing {
   std::string host, rig;
   uint32_t rounds = 0;
-  double copy_ms = 0, motion_ms = 0, geometry_ms = 0; // medians; the last of what all modes share
+  double copy_ms = 0, motion_ms = 0, geometry_ms = 0; // medians; the last of G-buffer and light
 };
 
 /// One scene, rig and size; all modes saw the same frames.
@@ -94,6 +97,8 @@ struct Measured {
   std::vector<KeptFrame> kept;
 };
 
+/// Nothing moves, so there is nothing to ghost.
+inline bool is_at_rest(const Measured& measured) { return measured.rig == rest_rig; }
 /// "640x360"
 std::string size_of(const Measured& measured);
 nlohmann::json measured_json(const Measured& measured);

@@ -118,6 +118,19 @@ TEST_F(ReportBrowser, HoveringNamesTheModeAndAClickLeavesItAlone) {
       << shown.document.substr(shown.document.find("id=\"said\""), 300);
 }
 
+TEST_F(ReportBrowser, AnAddressInsideACaseShowsThatCaseAndPaperShowsAll) {
+  const Shown shown =
+      drive("const hidden = () => document.querySelector('#case-2').classList.contains('off');"
+            "say('before', hidden()); location.hash = '#case-2-error';"
+            "setTimeout(() => { say('after', hidden());"
+            "  const closed = () => document.querySelectorAll('details:not([open])').length;"
+            "  const before = closed(); dispatchEvent(new Event('beforeprint')); say('closed', closed());"
+            "  dispatchEvent(new Event('afterprint')); say('as_before', closed() === before && before > 0); "
+            "}, 300);");
+  for (const char* said : {"before=true;", "after=false;", "closed=0;", "as_before=true;"})
+    EXPECT_NE(shown.document.find(said), std::string::npos) << said;
+}
+
 TEST_F(ReportBrowser, AHeadSortsItsColumnBothWays) {
   const Shown shown = drive(R"js(
     const table = document.querySelector("#case-1 table.sortable"), heads = [...table.tHead.rows[0].cells];

@@ -32,6 +32,17 @@ TEST(ParetoFront, TiesInOneAreBeatenAndInBothAreNot) {
   EXPECT_EQ(pareto_front(Points{{NAN, 0}, {1, NAN}, {5, 5}}), Indices{2});
 }
 
+TEST(ParetoFront, CostsAreEqualWithinTheirMargins) {
+  // the second costs no more for all that is known, and is better
+  EXPECT_EQ(pareto_front(Points{{1, 3, .2}, {1.3, 2, .2}}), Indices{1});
+  EXPECT_EQ(pareto_front(Points{{1, 3, .1}, {1.3, 2, .1}}), (Indices{0, 1}));
+  // as good as each other: cheaper by more than the margins, or both
+  EXPECT_EQ(pareto_front(Points{{1, 2, .1}, {1.3, 2, .1}}), Indices{0});
+  EXPECT_EQ(pareto_front(Points{{1, 2, .2}, {1.3, 2, .2}}), (Indices{0, 1}));
+  // a chain of neighbours leaves one: nobody is beaten by those that are beaten in a circle
+  EXPECT_EQ(pareto_front(Points{{1, 3, .2}, {1.3, 2, .2}, {1.6, 1, .2}}), (Indices{2}));
+}
+
 TEST(Orders, PairsThatDifferAreNamed) {
   const std::vector<double> theirs = {1, 2, 3, 3}, ours = {10, 30, 20, 25};
   const OrderComparison order = compare_orders(theirs, ours);
@@ -62,11 +73,26 @@ TEST(Orders, ThePaperAgreesWithItselfOnTwentyOnePairs) {
 TEST(Scales, ZeroHasItsPlaceBeforeALogarithm) {
   const Scale scale({.label = {}, .log = true, .rows = {}}, {0, 0.01, 1});
   EXPECT_GT(scale(0), 0);
-  EXPECT_LT(scale(0), scale.zero_ends());
-  EXPECT_GT(scale(0.01), scale.zero_ends());
+  ASSERT_EQ(scale.breaks().size(), 1u);
+  EXPECT_LT(scale(0), scale.breaks()[0]);
+  EXPECT_GT(scale(0.01), scale.breaks()[0]);
   EXPECT_NEAR(scale(0.1) - scale(0.01), scale(1) - scale(0.1), 1e-9);
   EXPECT_EQ(scale.ticks().front().text, "0");
-  EXPECT_EQ(Scale({.label = {}, .log = true, .rows = {}}, {0.01, 1}).zero_ends(), 0);
+  EXPECT_TRUE(Scale({.label = {}, .log = true, .rows = {}}, {0.01, 1}).breaks().empty());
+}
+
+TEST(Scales, BeyondTheKneeTheyAreTighterAndStillRise) {
+  const std::vector<double> values = {0, 6, 8, 10, 50, 700};
+  const ChartAxis axis{.label = {}, .log = true, .rows = {}, .knee = 10};
+  const Scale scale(axis, values);
+  ASSERT_EQ(scale.breaks().size(), 2u);
+  for (size_t i = 1; i < values.size(); ++i) EXPECT_LT(scale(values[i - 1]), scale(values[i])) << values[i];
+  EXPECT_LT(scale(10), scale.breaks()[1]);
+  EXPECT_GT(scale(50), scale.breaks()[1]);
+  EXPECT_LE(scale(700), 1);
+  EXPECT_GT(scale(10) - scale(6), 2 * (Scale({.label = {}, .log = true, .rows = {}}, values)(10) -
+                                       Scale({.label = {}, .log = true, .rows = {}}, values)(6)));
+  for (const Tick& tick : scale.ticks()) EXPECT_NEAR(scale(std::stod(tick.text)), tick.at, 1e-6) << tick.text;
 }
 
 TEST(Scales, EveryTickLiesOnItAndSaysWhereItIs) {

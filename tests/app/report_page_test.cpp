@@ -111,7 +111,10 @@ TEST(ReportPage, AChartHasAPointForEachModeWithThatFigure) {
 TEST(ReportPage, NoModeIsOnAFrontForDoingNothing) {
   ReportSample sample({"pass"});
   const Measured& m = sample.results.scenes.front();
-  const auto first = [&](const char* figure) { return m.rows[front_of(m, figure).front()].mode; };
+  const auto first = [&](const char* figure) {
+    const auto kind = std::ranges::find(figure_kinds(), figure, &FigureKind::name);
+    return m.rows[front_of(m, *kind).front()].mode;
+  };
   EXPECT_EQ(first("error"), "off");
   EXPECT_NE(first("ghosting"), "off"); // of which it has none by definition
   EXPECT_NE(first("trail"), "off");

@@ -65,6 +65,9 @@ void add_times(Chart& chart, const MeasuredMode& row, const std::vector<double>&
   chart.series.push_back(row_series(Mark::point, look, row.mode, {median}));
 }
 
+/// What three decimals show as nothing is nothing: it would stretch a logarithmic scale.
+double share_shown(double share) { return share < 0.0005 ? 0 : share; }
+
 } // namespace
 
 std::vector<Chart> convergence_charts(const Measured& m, const Looks& looks, const std::string& id) {
@@ -118,10 +121,12 @@ std::vector<Chart> trail_charts(const Measured& m, const Looks& looks, const std
     if (surface != row.figures.end() && shadow != row.figures.end()) {
       note += ", surfaces " + number(surface->second, 3) + ", shadows " + number(shadow->second, 3);
       chart.series.push_back(
-          row_series(Mark::whisker, look, row.mode, {{surface->second, y}, {shadow->second, y}}));
-      chart.series.push_back(row_series(Mark::strip, {look.family, 0}, row.mode, {{surface->second, y}}));
+          row_series(Mark::whisker, look, row.mode,
+                     {{share_shown(surface->second), y}, {share_shown(shadow->second), y}}));
+      chart.series.push_back(
+          row_series(Mark::strip, {look.family, 0}, row.mode, {{share_shown(surface->second), y}}));
     }
-    chart.series.push_back(row_series(Mark::point, look, row.mode, {{whole->second, y, note}}));
+    chart.series.push_back(row_series(Mark::point, look, row.mode, {{share_shown(whole->second), y, note}}));
   }
   if (chart.series.empty()) return {};
   return {chart};

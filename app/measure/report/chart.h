@@ -39,6 +39,7 @@ struct ChartAxis {
   std::string label; // with its unit
   bool log = false;
   std::vector<std::string> rows; // names in place of numbers: 0 is the first
+  double knee = 0;               // of a logarithmic axis: what lies beyond is pressed into its end. 0: none
 };
 struct Chart {
   std::string id, title, caption;
@@ -57,16 +58,21 @@ public:
   Scale(const ChartAxis& axis, const std::vector<double>& values);
   double operator()(double value) const;
   const std::vector<Tick>& ticks() const { return ticks_; }
-  /// Where 0 has a place of its own before a logarithmic scale: the end of that place.
-  double zero_ends() const { return zero_ends_; }
+  /// Where the scale begins anew: after 0, which has a place of its own before a logarithmic one, and at the
+  /// knee.
+  const std::vector<double>& breaks() const { return breaks_; }
 
 private:
   void make_rows(const std::vector<std::string>& rows);
   void make_linear(double low, double high);
-  void make_log(double low, double high, bool with_zero);
+  void make_log(double low, double high, bool with_zero, double knee);
+  void add_log_ticks(double from, double to);
+  void add_linear_ticks();
 
   bool log_ = false, rows_ = false;
-  double low_ = 0, high_ = 1, zero_ends_ = 0;
+  double low_ = 0, high_ = 1;                     // logarithms where log_
+  double zero_ends_ = 0, knee_ = 0, knee_at_ = 1; // of log_: positions, but for the knee's own logarithm
+  std::vector<double> breaks_;
   std::vector<Tick> ticks_;
 };
 struct Scales {

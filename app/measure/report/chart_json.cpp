@@ -33,10 +33,9 @@ const char* word_of(Mark mark) {
 json json_of(const ChartAxis& axis, const Scale& scale) {
   json ticks = json::array();
   for (const Tick& tick : scale.ticks()) ticks.push_back({rounded(tick.at), tick.text});
-  return {{"label", axis.label},
-          {"ticks", ticks},
-          {"rows", axis.rows.size()},
-          {"zero_ends", rounded(scale.zero_ends())}};
+  json breaks = json::array();
+  for (const double at : scale.breaks()) breaks.push_back(rounded(at));
+  return {{"label", axis.label}, {"ticks", ticks}, {"rows", axis.rows.size()}, {"breaks", breaks}};
 }
 
 } // namespace

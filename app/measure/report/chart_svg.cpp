@@ -55,8 +55,8 @@ std::string axes_of(const Sheet& sheet) {
            words(sheet.left - 7, y + 4, "tick-y", tick.text);
   }
   svg += line_between(sheet.left, sheet.bottom, sheet.right, sheet.bottom, "axis");
-  if (const double end = sheet.scales.x.zero_ends(); end > 0) // the scale begins anew
-    svg += words(sheet.left + (sheet.right - sheet.left) * end * 0.72, sheet.bottom + 4, "break", "//");
+  for (const double at : sheet.scales.x.breaks())
+    svg += words(sheet.left + (sheet.right - sheet.left) * at, sheet.bottom + 4, "break", "//");
   svg += words((sheet.left + sheet.right) / 2, sheet.bottom + 36, "label-x", sheet.chart.x.label);
   if (sheet.chart.y.rows.empty()) {
     const std::string middle = number((top + sheet.bottom) / 2, 1);

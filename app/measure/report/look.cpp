@@ -4,6 +4,8 @@
 #include <array>
 
 #include "app/measure/report/html.h"
+#include "renderer/settings.h"
+#include "renderer/taa_modes.h"
 
 namespace unghost {
 namespace {
@@ -31,13 +33,18 @@ int family_of(const nlohmann::json& settings) {
 std::span<const std::string_view> families() { return family_names; }
 
 std::map<std::string, Look> looks_of(const Results& results) {
-  std::map<std::string, Look> looks;
+  std::map<std::string, Look> rows, looks;
   std::array<int, family_names.size()> members{};
+  const auto next_of = [&](int family) { return Look{family, members[size_t(family)]++ % shape_count}; };
+  for (const TaaMode& mode : taa_modes()) // whichever were measured, each looks the same in every report
+    rows[std::string(mode.name)] =
+        next_of(family_of(settings_json(settings_for_mode(std::string(mode.name)), SettingsPart::per_mode)));
   for (const Measured& m : results.scenes)
     for (const auto& [name, settings] : m.modes) {
+      if (looks.contains(name)) continue;
       const int family = family_of(settings);
-      if (looks.emplace(name, Look{family, members[size_t(family)] % shape_count}).second)
-        ++members[size_t(family)];
+      const auto row = rows.find(name);
+      looks[name] = row != rows.end() && row->second.family == family ? row->second : next_of(family);
     }
   return looks;
 }

@@ -17,7 +17,7 @@ struct Look {
 constexpr int shape_count = 6;
 
 std::span<const std::string_view> families();
-/// Of every mode of all scenes, told by its settings and not by its name.
+/// Of every mode of all scenes: its family by its settings and not by its name.
 std::map<std::string, Look> looks_of(const Results& results);
 /// The inside of an SVG: a mark of that shape around a point, `radius` pixels large.
 std::string svg_shape(int shape, double x, double y, double radius);

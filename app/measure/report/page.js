@@ -26,17 +26,34 @@ const unghost = {
     unghost.changed();
   }
   if (links.length > 0) {
-    const known = (id) => cases.some((section) => section.id === id);
+    // The case that has the place of that name: it may be any in it, a chart or a table
+    const case_of = (id) => cases.find((section) => section.id === id || (id && section.contains(document.getElementById(id))));
     for (const link of links)
       link.addEventListener("click", (event) => {
         event.preventDefault(); // stays where the reader is: the charts change beneath
         history.replaceState(null, "", link.hash);
         show_case(link.hash.slice(1));
       });
-    addEventListener("hashchange", () => { if (known(location.hash.slice(1))) show_case(location.hash.slice(1)); });
-    const asked = location.hash.slice(1);
-    show_case(known(asked) ? asked : cases[0].id);
+    const follow = () => {
+      const id = location.hash.slice(1), section = case_of(id);
+      if (!section) return false;
+      show_case(section.id);
+      document.getElementById(id).scrollIntoView(); // there was nothing to scroll to before
+      return true;
+    };
+    addEventListener("hashchange", follow);
+    if (!follow()) show_case(cases[0].id);
   }
+
+  // Paper has nothing to click.
+  let opened = [];
+  addEventListener("beforeprint", () => {
+    opened = [...document.querySelectorAll("details:not([open])")];
+    for (const details of opened) details.removeAttribute("name"), details.open = true;
+  });
+  addEventListener("afterprint", () => {
+    for (const details of opened) details.open = false;
+  });
 
   // Filter
   const members = [...document.querySelectorAll("[data-key]")].map((span) => {

@@ -94,12 +94,10 @@
   const names = {
     id: "names",
     afterDatasetsDraw(chart) {
-      const { named: has_names, lines, narrow, zero_ends } = chart.options.plugins.names;
+      const { named: has_names, lines, narrow, breaks } = chart.options.plugins.names;
       const { ctx, chartArea: area } = chart, colour = colours();
-      if (zero_ends > 0) { // the scale begins anew
-        ctx.fillStyle = colour.ink, ctx.font = `11px ${Chart.defaults.font.family}`, ctx.textBaseline = "middle";
-        ctx.fillText("//", area.left + area.width * zero_ends * 0.68, area.bottom);
-      }
+      ctx.fillStyle = colour.ink, ctx.font = `11px ${Chart.defaults.font.family}`, ctx.textBaseline = "middle";
+      for (const at of breaks) ctx.fillText("//", area.left + area.width * at - 3, area.bottom); // the scale begins anew
       if (!has_names) return;
       const { named, taken } = wanted(chart);
       ctx.save();
@@ -132,7 +130,7 @@
       interaction: { mode: "nearest", intersect: true },
       scales: { x: axis(chart.x, colour, "bottom"), y: axis(chart.y, colour, "left") },
       plugins: {
-        names: { named, lines, narrow, zero_ends: chart.x.zero_ends }, legend: { display: false },
+        names: { named, lines, narrow, breaks: chart.x.breaks }, legend: { display: false },
         tooltip: {
           filter: (item) => Boolean(item.raw.note), displayColors: false,
           backgroundColor: colour.ink, bodyColor: colour.paper,

@@ -4,19 +4,31 @@
 #include <cmath>
 
 namespace unghost {
+namespace {
+
+bool is_cheaper(const CostAndError& a, const CostAndError& b) {
+  return a.cost + a.cost_margin < b.cost - b.cost_margin;
+}
+
+bool is_known(const CostAndError& a) { return !std::isnan(a.cost) && !std::isnan(a.error); }
+
+/// No circle of points beats itself: who beats has less error, or as much and is cheaper.
+bool beats(const CostAndError& a, const CostAndError& b) {
+  if (a.error < b.error) return !is_cheaper(b, a);
+  return a.error == b.error && is_cheaper(a, b);
+}
+
+} // namespace
 
 std::vector<size_t> pareto_front(std::span<const CostAndError> points) {
-  std::vector<size_t> order;
-  for (size_t i = 0; i < points.size(); ++i)
-    if (!std::isnan(points[i].cost) && !std::isnan(points[i].error)) order.push_back(i);
-  std::ranges::stable_sort(order, {}, [&](size_t i) { return std::pair(points[i].cost, points[i].error); });
+  const auto is_beaten = [&](const CostAndError& point) {
+    return std::ranges::any_of(
+        points, [&](const CostAndError& other) { return is_known(other) && beats(other, point); });
+  };
   std::vector<size_t> front;
-  for (const size_t i : order) {
-    const bool better = front.empty() || points[i].error < points[front.back()].error;
-    const bool alike = !front.empty() && points[i].error == points[front.back()].error &&
-                       points[i].cost == points[front.back()].cost;
-    if (better || alike) front.push_back(i);
-  }
+  for (size_t i = 0; i < points.size(); ++i)
+    if (is_known(points[i]) && !is_beaten(points[i])) front.push_back(i);
+  std::ranges::stable_sort(front, {}, [&](size_t i) { return std::pair(points[i].cost, -points[i].error); });
   return front;
 }
 

@@ -29,15 +29,19 @@ std::string figures_of(const std::vector<Chart>& charts, json& data) {
 std::string case_section(const Measured& m, const Results& results, const Looks& looks,
                          const FindPicture& pictures, const std::string& id, json& data) {
   std::vector<Chart> spreads = time_charts(m, looks, id);
+  const bool timed = !spreads.empty();
   std::ranges::move(trail_charts(m, looks, id), std::back_inserter(spreads));
+  const char* spreads_title = !timed ? "Trail" : spreads.size() > 1 ? "Run time and trail" : "Run time";
   return "<section class=\"case\" id=\"" + id + "\"><h2>" + escaped(case_name(m, results)) + "</h2>\n" +
          titled("Worth having here", fronts_table(m, looks)) +
          titled("Work and precision", figures_of(work_precision(m, looks, id), data)) +
          titled("All modes", modes_table(m, looks)) +
          titled("Convergence", figures_of(convergence_charts(m, looks, id), data)) +
-         titled("Run time and trail", figures_of(spreads, data)) +
+         titled(spreads_title, figures_of(spreads, data)) +
          titled("The same instant", instant_pictures(m, pictures)) +
-         titled("The worst frames of modes that ghost most here", worst_frames(m, looks, pictures, id)) +
+         titled(results.scenes.size() > 1 ? "The worst frames, of modes that are at their worst here"
+                                          : "The worst frames",
+                worst_frames(m, looks, pictures, id)) +
          "</section>\n";
 }
 
@@ -100,7 +104,8 @@ std::string body_of(const Results& all, const FindPicture& pictures, const PageN
   for (size_t i = 0; i < results.scenes.size(); ++i)
     cases += case_section(results.scenes[i], results, looks, pictures, "case-" + std::to_string(i + 1), data);
   return "<main>\n<header><h1>What each mode costs, and what it leaves behind</h1>\n" +
-         summary_section(results, looks) + "</header>\n" + case_links(results) +
+         summary_section(results, looks) + "</header>\n" +
+         (notes.baseline ? baseline_section(*notes.baseline, looks) : "") + case_links(results) +
          (looks.empty() ? "" : key_of(looks)) + cases + "<section id=\"paper\"><h2>Beside the paper</h2>\n" +
          paper_section(results, notes) + "</section>\n" +
          "<section id=\"origin\"><h2>Device and settings</h2>\n" + origin_section(results) +

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "app/measure/baseline.h"
 #include "app/measure/results.h"
 #include "renderer/scene/scene.h"
 
@@ -13,9 +14,16 @@ namespace unghost {
 
 /// A frame's picture that a shard kept; `file` as in KeptFrame. Nothing where it is not there.
 using FindPicture = std::function<std::optional<Image>(const KeptFrame&, const std::string& file)>;
-/// Measured explanations, plain text: shown beside the comparison with the paper.
+/// Other results that these are compared with.
+struct Baseline {
+  std::string file;
+  BaselineComparison comparison;
+};
+/// What the page says beside the results.
 struct PageNotes {
-  std::vector<std::string> paragraphs;
+  std::vector<std::string>
+      paragraphs; // measured explanations beside the comparison with the paper: plain text
+  std::optional<Baseline> baseline;
 };
 
 /// UTF-8. The same bytes for the same data. What was not measured is not there.

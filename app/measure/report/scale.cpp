@@ -7,7 +7,7 @@
 namespace unghost {
 namespace {
 
-constexpr double room_for_zero = 0.09; // of the axis
+constexpr double room_for_zero = 0.09, room_beyond_knee = 0.26; // of the axis
 
 /// As few decimals as tell `value` from its neighbours, `step` away.
 std::string tick_text(double value, double step) {
@@ -38,7 +38,7 @@ Scale::Scale(const ChartAxis& axis, const std::vector<double>& values) {
   }
   if (!(low <= high)) low = 0, high = 1;
   if (axis.log && std::isfinite(least))
-    make_log(least, high, low <= 0);
+    make_log(least, high, low <= 0, axis.knee > least && axis.knee < high ? axis.knee : 0);
   else
     make_linear(low, high);
 }
@@ -51,7 +51,7 @@ void Scale::make_rows(const std::vector<std::string>& rows) {
 void Scale::make_linear(double low, double high) {
   if (low > 0 && low < 0.4 * high) low = 0;
   if (high - low <= 1e-9 * std::max(std::abs(low), std::abs(high)))
-    low -= low == 0 ? 1 : std::abs(low) / 2, high += high == 0 ? 1 : std::abs(high) / 2;
+    low -= std::abs(low) / 2, high += high == 0 ? 1 : std::abs(high) / 2;
   const double step = step_for(high - low, 6);
   low_ = std::floor(low / step + 0.02) * step, high_ = std::ceil(high / step - 0.02) * step;
   if (low < low_) low_ -= step;
@@ -64,37 +64,57 @@ void Scale::make_linear(double low, double high) {
     ticks_.push_back({(*this)(at), tick_text(std::abs(at) < step / 1e6 ? 0 : at, step)});
 }
 
-void Scale::make_log(double low, double high, bool with_zero) {
+void Scale::make_log(double low, double high, bool with_zero, double knee) {
   log_ = true, zero_ends_ = with_zero ? room_for_zero : 0;
-  const double air = std::max(0.05 * std::log10(high / low), 0.06); // so that nothing lies on the frame
-  low_ = std::log10(low) - air, high_ = std::log10(high) + air;
+  const double air =
+      std::max(0.05 * std::log10((knee > 0 ? knee : high) / low), 0.06); // nothing on the frame
+  low_ = std::log10(low) - air, high_ = knee_ = std::log10(high) + air;
+  if (with_zero) breaks_.push_back(0.7 * zero_ends_);
+  if (knee > 0) {
+    knee_ = std::log10(knee) + air, knee_at_ = 1 - room_beyond_knee;
+    breaks_.push_back(knee_at_);
+  }
   if (with_zero) ticks_.push_back({(*this)(0), "0"});
-  // 1, 2, 5 of each decade; where there are many decades only their beginnings, within one more
-  const double decades = high_ - low_;
-  const std::vector<double> parts = decades > 3.2   ? std::vector<double>{1}
-                                    : decades > 1.1 ? std::vector<double>{1, 2, 5}
-                                                    : std::vector<double>{1, 1.5, 2, 3, 4, 5, 7};
-  for (double decade = std::floor(low_); decade <= high_; ++decade)
+  add_log_ticks(low_, knee_);
+  if (ticks_.size() < (with_zero ? 3 : 2)) add_linear_ticks();
+  if (knee > 0) add_log_ticks(knee_ + 0.12 * (high_ - knee_), high_);
+}
+
+/// 1, 2, 5 of each decade; where there are many decades only their beginnings, within one more.
+void Scale::add_log_ticks(double from, double to) {
+  const double decades = to - from, room = (*this)(std::pow(10, to)) - (*this)(std::pow(10, from));
+  const std::vector<double> parts = decades > 3.2 * room   ? std::vector<double>{1}
+                                    : decades > 1.1 * room ? std::vector<double>{1, 2, 5}
+                                    : decades > 0.4 * room
+                                        ? std::vector<double>{1, 1.5, 2, 3, 4, 5, 7}
+                                        : std::vector<double>{1, 1.2, 1.5, 2, 2.5, 3, 4, 5, 6, 7, 8, 9};
+  for (double decade = std::floor(from); decade <= to; ++decade)
     for (const double times : parts) {
       const double value = std::pow(10, decade) * times;
-      if (std::log10(value) >= low_ && std::log10(value) <= high_)
-        ticks_.push_back({(*this)(value), tick_text(value, std::pow(10, decade) * (times == 1.5 ? 0.1 : 1))});
+      if (std::log10(value) >= from && std::log10(value) <= to)
+        ticks_.push_back({(*this)(value),
+                          tick_text(value, std::pow(10, decade) * (times == std::floor(times) ? 1 : 0.1))});
     }
-  if (ticks_.size() < (with_zero ? 3 : 2)) { // a narrow range between two of them
-    const double from = std::pow(10, low_), to = std::pow(10, high_), step = step_for(to - from, 5);
-    for (double value = std::ceil(from / step) * step; value < to; value += step)
-      ticks_.push_back({(*this)(value), tick_text(value, step)});
-    std::ranges::sort(ticks_, {}, &Tick::at);
-    const auto twice = std::ranges::unique(ticks_, {}, &Tick::text);
-    ticks_.erase(twice.begin(), twice.end());
-  }
+}
+
+/// Of a range too narrow for the others.
+void Scale::add_linear_ticks() {
+  const double from = std::pow(10, low_), to = std::pow(10, knee_), step = step_for(to - from, 5);
+  for (double value = std::ceil(from / step) * step; value < to; value += step)
+    ticks_.push_back({(*this)(value), tick_text(value, step)});
+  std::ranges::sort(ticks_, {}, &Tick::at);
+  const auto twice = std::ranges::unique(ticks_, {}, &Tick::text);
+  ticks_.erase(twice.begin(), twice.end());
 }
 
 double Scale::operator()(double value) const {
   if (rows_) return 1 - (value + 0.5) / high_;
   if (!log_) return (value - low_) / (high_ - low_);
   if (value <= 0) return zero_ends_ / 3;
-  return zero_ends_ + (1 - zero_ends_) * (std::log10(value) - low_) / (high_ - low_);
+  const double exponent = std::log10(value);
+  if (knee_ < high_ && exponent > knee_)
+    return knee_at_ + (1 - knee_at_) * (exponent - knee_) / (high_ - knee_);
+  return zero_ends_ + (knee_at_ - zero_ends_) * (exponent - low_) / (knee_ - low_);
 }
 
 Scales scales_of(const Chart& chart) {

@@ -19,6 +19,8 @@ std::string mode_html(const std::string& mode, const Looks& looks);
 std::string summary_section(const Results& results, const Looks& looks);
 /// Which modes are worth their time, a line a figure.
 std::string fronts_table(const Measured& m, const Looks& looks);
+/// What has changed since other results.
+std::string baseline_section(const Baseline& baseline, const Looks& looks);
 std::string modes_table(const Measured& m, const Looks& looks);
 std::string paper_section(const Results& results, const PageNotes& notes);
 /// Each mode's worst frame beside the aliased one; `id` is the case's.

@@ -17,20 +17,29 @@ std::string listed(const std::vector<std::string>& items) {
 
 struct Standing {
   std::string mode;
-  size_t on_front = 0, best = 0; // in so many cases
+  size_t on_front = 0, best = 0, cheapest = 0; // in so many cases
 };
 
+/// Those of the front that are shown to have as little error as its last.
+bool is_best(const Measured& m, const FigureKind& kind, const std::vector<size_t>& front, size_t i) {
+  const auto shown = [&](size_t row) {
+    return number(m.rows[row].figures.at(std::string(kind.name)), kind.decimals);
+  };
+  return shown(i) == shown(front.back());
+}
+
 /// Of modes on a front of this figure, those on most of them first.
-std::vector<Standing> standings(const Results& results, std::string_view figure, size_t& cases) {
+std::vector<Standing> standings(const Results& results, const FigureKind& kind, size_t& cases) {
   std::vector<Standing> all;
   for (const Measured& m : results.scenes) {
-    const std::vector<size_t> front = front_of(m, figure);
+    const std::vector<size_t> front = front_of(m, kind);
     cases += front.empty() ? 0 : 1;
     for (const size_t i : front) {
       auto found = std::ranges::find(all, m.rows[i].mode, &Standing::mode);
       if (found == all.end()) found = all.insert(all.end(), {m.rows[i].mode});
       ++found->on_front;
-      found->best += i == front.back() ? 1 : 0;
+      found->best += is_best(m, kind, front, i) ? 1 : 0;
+      found->cheapest += i == front.front() && front.size() > 1 ? 1 : 0;
     }
   }
   std::ranges::stable_sort(all, std::ranges::greater(),
@@ -49,11 +58,14 @@ std::string times(size_t count, size_t of) {
 
 std::string standings_row(const FigureKind& kind, const std::vector<Standing>& all, size_t cases,
                           const Looks& looks) {
-  const Standing& best = *std::ranges::max_element(all, {}, &Standing::best);
-  std::string html = "<tr>" + figure_head(kind) + "<td class=\"winner\">" + mode_html(best.mode, looks) +
-                     times(best.best, cases) + "</td><td><span class=\"chips\">";
+  const size_t most = std::ranges::max_element(all, {}, &Standing::best)->best;
+  std::string html = "<tr>" + figure_head(kind) + "<td class=\"winner\">";
   for (const Standing& one : all)
-    html += "<span class=\"chip\">" + mode_html(one.mode, looks) + times(one.on_front, cases) + "</span> ";
+    if (one.best == most) html += "<div>" + mode_html(one.mode, looks) + times(most, cases) + "</div>";
+  html += "</td><td><span class=\"chips\">";
+  for (const Standing& one : all)
+    html += "<span class=\"chip\">" + mode_html(one.mode, looks) + times(one.on_front, cases) +
+            (one.cheapest == one.on_front && one.best == 0 ? " <small>cheapest</small>" : "") + "</span> ";
   return html + "</span></td></tr>\n";
 }
 
@@ -65,6 +77,25 @@ std::string never_on_a_front(const Results& results, const std::set<std::string>
         never.push_back(row.mode);
   if (never.empty() || seen.empty()) return {};
   return "<p>Never worth it here, whatever is judged: " + escaped(listed(never)) + ".</p>\n";
+}
+
+constexpr std::string_view aliased_mode = "off";
+
+/// Said where it is so: a reader would not expect it.
+std::string aliased_is_nearest(const Measured& m) {
+  const MeasuredMode *aliased = nullptr, *next = nullptr;
+  const auto error = [](const MeasuredMode& row) { return row.figures.at("error"); };
+  for (const MeasuredMode& row : m.rows) {
+    if (!row.figures.contains("error")) continue;
+    if (row.mode == aliased_mode)
+      aliased = &row;
+    else if (next == nullptr || error(row) < error(*next))
+      next = &row;
+  }
+  if (aliased == nullptr || next == nullptr || error(*next) < error(*aliased)) return {};
+  return "<p class=\"note\">The aliased frame is the nearest to the supersampled one here (" +
+         number(error(*aliased), 4) + "; the best of the others is " + escaped(next->mode) + " with " +
+         number(error(*next), 4) + "): history blurs more here than it smooths.</p>\n";
 }
 
 std::string warnings(const Results& results) {
@@ -129,12 +160,12 @@ std::string case_name(const Measured& m, const Results& among) {
 std::string fronts_table(const Measured& m, const Looks& looks) {
   std::string html;
   for (const FigureKind* kind : errors_in(m)) {
-    const std::vector<size_t> front = front_of(m, kind->name);
+    const std::vector<size_t> front = front_of(m, *kind);
     if (front.empty()) continue;
     html += "<tr>" + figure_head(*kind) + "<td><span class=\"chips\">";
     for (const size_t i : front) {
       const auto& figures = m.rows[i].figures;
-      html += std::string("<span class=\"chip") + (i == front.back() ? " last" : "") + "\">" +
+      html += std::string("<span class=\"chip") + (is_best(m, *kind, front, i) ? " last" : "") + "\">" +
               mode_html(m.rows[i].mode, looks) + " <span class=\"count\">" +
               milliseconds(std::max(0., figures.at("added_ms"))) + " ms → " +
               number(figures.at(std::string(kind->name)), kind->decimals) + "</span></span> ";
@@ -142,10 +173,13 @@ std::string fronts_table(const Measured& m, const Looks& looks) {
     html += "</span></td></tr>\n";
   }
   if (html.empty()) return {};
+  const std::string lent = m.timing && m.timing->rig != m.rig ? "<p class=\"note\">Times are those of rig " +
+                                                                    escaped(m.timing->rig) + ".</p>\n"
+                                                              : "";
   return "<div class=\"wide\"><table class=\"fronts\"><thead><tr><th scope=\"col\">judged by</th><th "
          "scope=\"col\">worth having, "
          "from the cheapest to the best: what it adds → the figure</th></tr></thead><tbody>\n" +
-         html + "</tbody></table></div>\n";
+         html + "</tbody></table></div>\n" + lent + aliased_is_nearest(m);
 }
 
 std::string summary_section(const Results& results, const Looks& looks) {
@@ -154,7 +188,7 @@ std::string summary_section(const Results& results, const Looks& looks) {
   std::set<std::string> seen;
   for (const FigureKind* kind : judged_by()) {
     size_t cases = 0;
-    const std::vector<Standing> all = standings(results, kind->name, cases);
+    const std::vector<Standing> all = standings(results, *kind, cases);
     for (const Standing& one : all) seen.insert(one.mode);
     if (!all.empty()) rows += standings_row(*kind, all, cases, looks);
   }
@@ -167,7 +201,8 @@ std::string summary_section(const Results& results, const Looks& looks) {
          "better: if it "
          "lies on the Pareto front" +
          std::string(many ? ", here with the number of rigs and sizes where it does" : "") +
-         ".</p>\n<div class=\"wide\"><table class=\"fronts\"><thead><tr><th scope=\"col\">judged by</th><th "
+         ". Times that the rounds do not tell apart, and figures that read alike, are equal.</p>\n<div "
+         "class=\"wide\"><table class=\"fronts\"><thead><tr><th scope=\"col\">judged by</th><th "
          "scope=\"col\">best" +
          std::string(many ? ", most often" : "") +
          "</th><th scope=\"col\">on the front</th></tr></thead><tbody>\n" + rows +

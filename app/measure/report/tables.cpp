@@ -39,10 +39,29 @@ std::string cell(const MeasuredMode& row, const Column& column) {
   const auto found = row.figures.find(std::string(column.kind->name));
   if (found == row.figures.end()) return "<td class=\"none\" data-value=\"\">–</td>";
   const std::string value = number(found->second, column.decimals);
-  const bool best = column.told && found->second == column.best;
+  const bool best = column.told && found->second > 0 && value == number(column.best, column.decimals);
   return "<td data-value=\"" + nlohmann::json(found->second).dump() + "\">" +
          (best ? "<strong class=\"best\">" + value + "<span class=\"aside\"> best</span></strong>" : value) +
          "</td>";
+}
+
+bool any_above(const Measured& m, std::string_view figure, double limit) {
+  return std::ranges::any_of(m.rows, [&](const MeasuredMode& row) {
+    const auto found = row.figures.find(std::string(figure));
+    return found != row.figures.end() && found->second > limit;
+  });
+}
+
+std::string notes_of(const Measured& m) {
+  std::string text =
+      "Less is better everywhere; the smallest figures above 0 of a column are outlined. 0 is the "
+      "aliased frame, or nothing left to measure.";
+  if (is_at_rest(m) && any_above(m, "ghosting", 0))
+    text +=
+        " Nothing moves here: ghosting is a history that was right, and that the mode changed all the same.";
+  if (any_above(m, "trail", 1) || any_above(m, "trail_surface", 1) || any_above(m, "trail_shadow", 1))
+    text += " A trail above 1 is more of the ghost than a plain blend leaves.";
+  return "<p class=\"note\">" + text + "</p>\n";
 }
 
 } // namespace
@@ -70,9 +89,7 @@ std::string modes_table(const Measured& m, const Looks& looks) {
     for (const Column& column : columns) html += cell(row, column);
     html += "</tr>\n";
   }
-  return html +
-         "</tbody></table></div><p class=\"note\">Less is better everywhere; the smallest figure above 0 of "
-         "a column is outlined. 0 is the aliased frame, or nothing left to measure.</p>\n";
+  return html + "</tbody></table></div>" + notes_of(m);
 }
 
 } // namespace unghost

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <optional>
 
@@ -11,9 +10,15 @@ namespace unghost {
 namespace {
 
 constexpr std::string_view shown[] = {"error", "ghosting", "shimmer", "flicker", "trail"};
+/// These are of motion.
+constexpr std::string_view none_at_rest[] = {"ghosting", "trail"};
 /// A frame without jitter and history has none of these by definition: they are taken against it, or between
 /// frames of it that are the same.
 constexpr std::string_view none_when_aliased[] = {"ghosting", "trail", "shimmer"};
+
+bool is_among(std::string_view name, std::span<const std::string_view> names) {
+  return std::ranges::find(names, name) != names.end();
+}
 
 std::optional<double> figure_in(const std::map<std::string, double>& figures, std::string_view name) {
   const auto found = figures.find(std::string(name));
@@ -21,10 +26,27 @@ std::optional<double> figure_in(const std::map<std::string, double>& figures, st
   return found->second;
 }
 
-std::optional<CostAndError> point_of(const std::map<std::string, double>& figures, std::string_view figure) {
-  const auto cost = figure_in(figures, "added_ms"), error = figure_in(figures, figure);
+/// What can be read of an error.
+double as_shown(double error, const FigureKind& kind) {
+  const double unit = std::pow(10, -kind.decimals);
+  return std::round(error / unit) * unit;
+}
+
+/// What is shown as 0 is 0, or the first digits of nothing would stretch a logarithmic scale.
+std::optional<CostAndError> point_of(const std::map<std::string, double>& figures, const FigureKind& kind) {
+  const auto cost = figure_in(figures, "added_ms"), error = figure_in(figures, kind.name);
   if (!cost || !error) return {};
-  return CostAndError{std::max(0., *cost), *error};
+  return CostAndError{std::max(0., *cost), as_shown(*error, kind) == 0 ? 0 : *error};
+}
+
+/// Half of the 95% interval of a median: 1.57 times the middle half of the rounds over the root of their
+/// number (McGill, Tukey and Larsen 1978); of a normal distribution the middle half is .41 of what lies
+/// between p05 and p95. No less than half of the third digit, the last that is shown.
+double margin_of(const Measured& m, const std::map<std::string, double>& figures, double cost) {
+  const auto low = figure_in(figures, "p05"), high = figure_in(figures, "p95");
+  const double digit = 0.0025 * cost;
+  if (!low || !high || !m.timing || m.timing->rounds == 0) return digit;
+  return std::max(digit, 1.57 * 0.41 * (*high - *low) / std::sqrt(double(m.timing->rounds)));
 }
 
 std::string capital(std::string_view word) {
@@ -42,31 +64,39 @@ std::string note_of(const std::string& name, const CostAndError& at, const Figur
 ChartSeries stairs(const Measured& m, const std::vector<size_t>& front, const FigureKind& kind) {
   ChartSeries line{.name = "Pareto front", .mark = Mark::front, .look = {}, .mode = {}, .points = {}};
   for (const size_t i : front) {
-    const CostAndError at = *point_of(m.rows[i].figures, kind.name);
+    const CostAndError at = *point_of(m.rows[i].figures, kind);
     if (!line.points.empty()) line.points.push_back({at.cost, line.points.back().y});
     line.points.push_back({at.cost, at.error});
   }
   return line;
 }
 
+/// Of two samples and more: one is the aliased frame, which is a mode.
 ChartSeries supersampling(const Measured& m, const FigureKind& kind) {
   ChartSeries line{.name = "supersampling", .mark = Mark::reference, .look = {}, .mode = {}, .points = {}};
   for (Supersampled one : m.supersampled) {
     if (m.timing) one.figures["added_ms"] = (one.samples - 1) * m.timing->geometry_ms;
-    if (const auto at = point_of(one.figures, kind.name)) {
-      const std::string name = std::to_string(one.samples) + (one.samples == 1 ? " sample" : " samples");
-      // one sample is the aliased frame, which has its own name there
-      line.points.push_back(
-          {at->cost, at->error, note_of(name, *at, kind), false, one.samples > 1 ? name : ""});
-    }
+    const auto at = point_of(one.figures, kind);
+    if (!at || one.samples < 2) continue;
+    const std::string name = std::to_string(one.samples);
+    line.points.push_back({at->cost, at->error, note_of(name + " samples", *at, kind), false, name});
   }
   std::ranges::sort(line.points, {}, &ChartPoint::x);
+  if (!line.points.empty()) line.points.back().name += " samples";
   return line;
 }
 
-std::string caption_of(const FigureKind& kind) {
+/// Supersampling costs far more than the modes, and would press them together.
+double knee_of(const ChartSeries& supersampled, double dearest_mode) {
+  return supersampled.points.empty() || supersampled.points.back().x < 4 * dearest_mode ? 0 : dearest_mode;
+}
+
+std::string caption_of(const FigureKind& kind, bool supersampled, bool bent) {
   std::string text = std::string(kind.summary) + " Less is better on both axes.";
-  if (std::ranges::find(none_when_aliased, kind.name) != std::end(none_when_aliased))
+  if (supersampled)
+    text += std::string(" Dashed: the mean of so many samples a pixel") +
+            (bent ? ", beyond // on a tighter scale." : ".");
+  if (is_among(kind.name, none_when_aliased))
     text += " The aliased frame itself, at 0 ms, has none of it and is on no front here.";
   return text;
 }
@@ -75,16 +105,17 @@ Chart chart_of(const Measured& m, const Looks& looks, const FigureKind& kind, co
   Chart chart{
       .id = id + "-" + std::string(kind.name),
       .title = capital(kind.label) + " against time",
-      .caption = caption_of(kind),
+      .caption = {},
       .x = {.label = "time added, ms (log)", .log = true, .rows = {}},
       .y = {.label = std::string(kind.label) + ", " + std::string(kind.unit), .log = false, .rows = {}},
       .series = {}};
-  const std::vector<size_t> front = front_of(m, kind.name);
-  double least = INFINITY, most = 0;
-  for (const ChartSeries& line : std::array{supersampling(m, kind), stairs(m, front, kind)})
+  const std::vector<size_t> front = front_of(m, kind);
+  double least = INFINITY, most = 0, dearest = 0;
+  const ChartSeries supersampled = supersampling(m, kind);
+  for (const ChartSeries& line : {supersampled, stairs(m, front, kind)})
     if (!line.points.empty()) chart.series.push_back(line);
   for (size_t i = 0; i < m.rows.size(); ++i)
-    if (const auto at = point_of(m.rows[i].figures, kind.name)) {
+    if (const auto at = point_of(m.rows[i].figures, kind)) {
       const std::string& mode = m.rows[i].mode;
       const bool on_front = std::ranges::find(front, i) != front.end();
       chart.series.push_back({.name = mode,
@@ -93,7 +124,10 @@ Chart chart_of(const Measured& m, const Looks& looks, const FigureKind& kind, co
                               .mode = mode,
                               .points = {{at->cost, at->error, note_of(mode, *at, kind), on_front}}});
       if (at->error > 0) least = std::min(least, at->error), most = std::max(most, at->error);
+      dearest = std::max(dearest, at->cost);
     }
+  chart.x.knee = knee_of(supersampled, dearest);
+  chart.caption = caption_of(kind, !supersampled.points.empty(), chart.x.knee > 0);
   if (most > 6 * least) // one of them would press the others together
     chart.y.log = true, chart.y.label += " (log)";
   return chart;
@@ -111,19 +145,23 @@ std::vector<const FigureKind*> judged_by() {
 std::vector<const FigureKind*> errors_in(const Measured& m) {
   std::vector<const FigureKind*> kinds = judged_by();
   std::erase_if(kinds, [&](const FigureKind* kind) {
-    return std::ranges::none_of(
-        m.rows, [&](const MeasuredMode& row) { return row.figures.contains(std::string(kind->name)); });
+    return (is_at_rest(m) && is_among(kind->name, none_at_rest)) ||
+           std::ranges::none_of(m.rows, [&](const MeasuredMode& row) {
+             return row.figures.contains(std::string(kind->name));
+           });
   });
   return kinds;
 }
 
-std::vector<size_t> front_of(const Measured& m, std::string_view figure) {
-  const bool leaves_out_aliased = std::ranges::find(none_when_aliased, figure) != std::end(none_when_aliased);
+std::vector<size_t> front_of(const Measured& m, const FigureKind& kind) {
+  if (is_at_rest(m) && is_among(kind.name, none_at_rest)) return {};
   std::vector<CostAndError> points;
   for (const MeasuredMode& row : m.rows) {
-    const auto at = point_of(row.figures, figure);
-    const bool counts = at && !(leaves_out_aliased && at->cost == 0);
-    points.push_back(counts ? *at : CostAndError{NAN, NAN});
+    auto at = point_of(row.figures, kind);
+    if (at && at->cost == 0 && is_among(kind.name, none_when_aliased)) at.reset();
+    points.push_back(
+        at ? CostAndError{at->cost, as_shown(at->error, kind), margin_of(m, row.figures, at->cost)}
+           : CostAndError{NAN, NAN});
   }
   return pareto_front(points);
 }
@@ -131,8 +169,8 @@ std::vector<size_t> front_of(const Measured& m, std::string_view figure) {
 std::vector<Chart> work_precision(const Measured& m, const Looks& looks, const std::string& id) {
   std::vector<Chart> charts;
   for (const FigureKind* kind : errors_in(m))
-    if (std::ranges::any_of(
-            m.rows, [&](const MeasuredMode& r) { return point_of(r.figures, kind->name).has_value(); }))
+    if (std::ranges::any_of(m.rows,
+                            [&](const MeasuredMode& r) { return point_of(r.figures, *kind).has_value(); }))
       charts.push_back(chart_of(m, looks, *kind, id));
   if (!charts.empty()) charts.front().wide = true;
   return charts;

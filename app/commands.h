@@ -22,23 +22,23 @@ struct Console {
 
 /// What a command can be told, beyond --json and the talk.
 enum CommandOptions : unsigned {
-  drawing = 1, // a scene, settings, a rig, a size, a device
-  one_mode = 2,
-  many_modes = 4,
-  picture = 8,     // -o
-  frames_out = 16, // sequences and buffers
-  crops = 32,
-  figures = 64, // what to measure, and how thoroughly
-  device = 128,
-  timed = 256,         // rounds
-  rounds_only = 65536, // and no frames
-  axis_search = 512,
-  two_pictures = 1024,
-  figures_out = 16384,   // -o of JSON
-  report_choice = 32768, // how thoroughly, from what, beside what
-  sweep_plan = 2048,
-  job_list = 4096, // and which line of it
-  shard_list = 8192,
+  drawing = 1u << 0, // a scene, settings, a rig, a size, a device
+  one_mode = 1u << 1,
+  many_modes = 1u << 2,
+  picture = 1u << 3,    // -o
+  frames_out = 1u << 4, // sequences and buffers
+  crops = 1u << 5,
+  figures = 1u << 6, // what to measure, and how thoroughly
+  device = 1u << 7,
+  timed = 1u << 8,       // rounds
+  rounds_only = 1u << 9, // and no frames
+  axis_search = 1u << 10,
+  two_pictures = 1u << 11,
+  figures_out = 1u << 12,   // -o of JSON
+  report_choice = 1u << 13, // how thoroughly, from what, beside what
+  sweep_plan = 1u << 14,
+  job_list = 1u << 15, // and which line of it
+  shard_list = 1u << 16,
 };
 
 struct CommandRow {

@@ -112,6 +112,10 @@ void make_folder(const fs::path& folder) {
     throw Failure(Exit::failed, "cannot make the folder " + folder.string() + ": " + error.message());
 }
 
+void check_takes_files(const fs::path& folder) {
+  NewFile(folder / "probe").write(std::vector<uint8_t>(1 << 20)); // and never gets its name
+}
+
 std::vector<uint8_t> read_file(const fs::path& path, size_t limit) {
   const auto refuse = [&](const std::string& why) {
     throw Failure(Exit::input_refused, "cannot read " + path.string() + ": " + why);

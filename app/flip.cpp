@@ -125,7 +125,8 @@ void flip_command(const CommandLine& line, Console& console) {
                                    : encode_png(magma(compared.error), object.dump()));
   if (line.flip.rounds) say_times(line, timed.ms, object, console); // no part of what the picture says
   if (output != nullptr && line.output == "-") return;
-  Table table{{"mean", "min", "max", "first quartile", "median", "third quartile"}};
+  Table table{
+      {"mean", "min", "max", "weighted first quartile", "weighted median", "weighted third quartile"}};
   table.add({fixed(s.mean, 6), fixed(s.min, 6), fixed(s.max, 6), fixed(s.weighted_first_quartile, 6),
              fixed(s.weighted_median, 6), fixed(s.weighted_third_quartile, 6)});
   console.out << (line.json ? object.dump(2) + "\n" : table.text());

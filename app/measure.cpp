@@ -27,8 +27,29 @@ std::vector<FigureKind> columns_of(const Measured& measured) {
   return columns;
 }
 
+/// A line a number of frames, a column a curve of this kind.
+std::string text_of(const Convergence& convergence, std::string_view kind) {
+  std::vector<std::string> heads = {"frames"};
+  for (const ConvergenceCurve& curve : convergence.curves)
+    if (curve.kind == kind) heads.push_back(curve.name);
+  if (heads.size() < 2) return {};
+  Table table(heads);
+  for (size_t i = 0; i < convergence.frames.size(); ++i) {
+    std::vector<std::string> cells = {std::to_string(convergence.frames[i])};
+    for (const ConvergenceCurve& curve : convergence.curves)
+      if (curve.kind == kind) cells.push_back(fixed(curve.error[i], 4));
+    table.add(cells);
+  }
+  return "\nError after so many frames at rest, a " + std::string(kind) + " a column\n" + table.text();
+}
+
 std::string text_of(const Measured& measured) {
   const std::vector<FigureKind> columns = columns_of(measured);
+  std::string convergence;
+  if (measured.convergence)
+    for (const char* kind : {"mode", "jitter"}) convergence += text_of(*measured.convergence, kind);
+  if (columns.empty())
+    return convergence.substr(std::min<size_t>(convergence.size(), 1)); // no line before it
   std::vector<std::string> heads = {"mode"};
   for (const FigureKind& kind : columns) heads.emplace_back(kind.label);
   Table table(heads);
@@ -40,7 +61,7 @@ std::string text_of(const Measured& measured) {
     }
     table.add(cells);
   }
-  return table.text();
+  return table.text() + convergence;
 }
 
 void say_what_is_missing(const MeasurePlan& plan, const Measured& measured, Console& console) {
@@ -51,6 +72,8 @@ void say_what_is_missing(const MeasurePlan& plan, const Measured& measured, Cons
   if (plan.aspects.contains(Aspect::trail) && none_has("trail"))
     console.err
         << "no surface and no shadow changed in the frames that were measured, so there is no trail\n";
+  if (plan.aspects.contains(Aspect::flicker) && none_has("flicker"))
+    console.err << "nothing moved in the frames that were measured, so there is no flicker; see shimmer\n";
 }
 
 } // namespace
@@ -70,12 +93,12 @@ void measure(const CommandLine& line, Console& console) {
     measured = measured_by(plan, folder, console, progress);
   }
   const std::string json = measured_json(measured).dump(2) + "\n";
-  if (file != nullptr) {
-    file->write(bytes_of(json));
-    file->commit();
-  }
-  console.out << (line.json || line.output == "-" ? json : text_of(measured));
+  console.out << (line.json || line.output == "-" ? json : text_of(measured)); // before a disk may be full
   if (!console.quiet) say_what_is_missing(plan, measured, console);
+  if (file == nullptr) return;
+  console.out.flush();
+  file->write(bytes_of(json));
+  file->commit();
 }
 
 } // namespace unghost

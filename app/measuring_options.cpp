@@ -3,6 +3,7 @@
 #include "app/measure/baseline.h"
 #include "app/measure/protocols.h"
 #include "app/option_checks.h"
+#include "renderer/spelling.h"
 
 namespace unghost {
 namespace {
@@ -13,15 +14,9 @@ template <class Row> std::vector<std::string> words_of(std::span<const Row> rows
   return words;
 }
 
-std::string listed(const std::vector<std::string>& words) {
-  std::string list;
-  for (const std::string& word : words) list += (list.empty() ? "" : ", ") + word;
-  return list;
-}
-
 void add_figures(CLI::App& app, MeasureWords& measure) {
   app.add_option("--what", measure.what,
-                 "Which figures, with commas: " + listed(words_of(aspects())) + " (default " +
+                 "Which figures, with commas: " + joined(words_of(aspects()), ", ") + " (default " +
                      words_by_default() + ")")
       ->delimiter(',')
       ->allow_extra_args(false)
@@ -65,7 +60,8 @@ void add_sweep(CLI::App& app, const CommandRow& row, CommandLine& line) {
     app.add_option("SHARDS", line.sweep.shards, "Folders of measurements, and single files");
     app.add_flag_function(
         "--samples,!--no-samples", [&line](int64_t count) { line.sweep.samples = count > 0; },
-        "With each frame and round (the default); without, the file is small, and no baseline");
+        "With each frame and round, and the pictures' names (the default); without, figures alone: a small "
+        "file, and no baseline");
     app.add_option("-o,--output", line.output, "The file of results; - is standard output");
   }
 }

@@ -2,6 +2,7 @@
 
 #include "app/measuring.h"
 #include "app/rigs.h"
+#include "renderer/spelling.h"
 
 namespace unghost {
 namespace {
@@ -34,9 +35,7 @@ Job job_of(const CommandLine& line, const std::string& rig, PictureSize size, co
   const auto add = [&](const char* option, const std::string& value) {
     if (!value.empty()) words.insert(words.end(), {option, value});
   };
-  std::string modes;
-  for (const std::string& mode : line.modes) modes += (modes.empty() ? "" : ",") + mode;
-  add("--modes", modes);
+  add("--modes", joined(line.modes, ","));
   for (const std::string& assignment : line.assignments) add("--set", assignment);
   add("--settings", line.settings.string());
   if (line.frames) add("--frames", std::to_string(*line.frames));

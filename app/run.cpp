@@ -68,6 +68,7 @@ int run(std::span<const char* const> words, std::ostream& out, std::ostream& err
     if (!out.flush()) throw Failure(Exit::failed, "cannot write to standard output");
     return int(exit);
   } catch (const Interrupted& interrupted) {
+    err << "unghost: interrupted\n";
     return 128 + interrupted.signal;
   } catch (const Failure& failure) {
     return fail(failure.exit, failure.what());

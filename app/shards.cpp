@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 #include <nlohmann/json.hpp>
 
@@ -87,6 +88,24 @@ Results joined_results(const std::vector<fs::path>& files, const fs::path& seen_
   return results;
 }
 
+/// Throws std::invalid_argument for JSON that is too deep for what reads it, or that names a member twice, of
+/// which the parser would take the last without a word; and the parser's own parse_error.
+nlohmann::json strict_json(const std::vector<uint8_t>& bytes) {
+  using Event = nlohmann::json::parse_event_t;
+  constexpr int deepest = 64;
+  std::vector<std::set<std::string>> names; // of the objects that are open
+  const auto check = [&names](int depth, Event event, nlohmann::json& parsed) {
+    if (depth > deepest)
+      throw std::invalid_argument("its JSON is more than " + std::to_string(deepest) + " deep");
+    if (event == Event::object_start) names.emplace_back();
+    if (event == Event::object_end) names.pop_back();
+    if (event == Event::key && !names.back().insert(parsed.get<std::string>()).second)
+      throw std::invalid_argument("it has '" + parsed.get<std::string>() + "' twice in one object");
+    return true;
+  };
+  return nlohmann::json::parse(bytes, check);
+}
+
 /// Whether no other job could be done either.
 bool ends_all(const GpuError& error) {
   return error.fault == GpuFault::lost || error.fault == GpuFault::no_device;
@@ -109,18 +128,14 @@ Worker this_process() {
 
 nlohmann::json read_json(const fs::path& file) {
   const std::vector<uint8_t> bytes = read_file(file, largest_json);
-  constexpr int deepest = 64; // what reads it recurses
-  const auto shallow = [](int depth, nlohmann::json::parse_event_t, nlohmann::json&) {
-    if (depth > deepest)
-      throw std::length_error("its JSON is more than " + std::to_string(deepest) + " deep");
-    return true;
-  };
   try {
-    return nlohmann::json::parse(bytes, shallow);
-  } catch (const std::length_error& error) {
+    return strict_json(bytes);
+  } catch (const std::invalid_argument& error) {
     throw Failure(Exit::input_refused, file.string() + ": " + error.what());
-  } catch (const nlohmann::json::exception&) {
-    throw Failure(Exit::input_refused, file.string() + " is no JSON");
+  } catch (const nlohmann::json::parse_error& error) {
+    const auto line =
+        1 + std::count(bytes.begin(), bytes.begin() + ptrdiff_t(std::min(error.byte, bytes.size())), '\n');
+    throw Failure(Exit::input_refused, file.string() + " is no JSON: see line " + std::to_string(line));
   }
 }
 
@@ -169,6 +184,8 @@ bool make_shard(const Job& job, const fs::path& folder, const Worker& worker, Co
 
 Sweep make_shards(const std::vector<Job>& jobs, const fs::path& folder, const Worker& worker,
                   Console& console) {
+  make_folder(folder);
+  check_takes_files(folder);
   Sweep sweep;
   for (const Job& job : jobs) {
     throw_if_interrupted();
@@ -185,6 +202,7 @@ Sweep make_shards(const std::vector<Job>& jobs, const fs::path& folder, const Wo
       sweep.failed.push_back(job.shard + ": " + error.what());
     }
     console.err << "unghost: " << sweep.failed.back() << std::endl;
+    check_takes_files(folder); // or all the others would fail alike
   }
   return sweep;
 }

@@ -111,9 +111,11 @@ void merge(const CommandLine& line, Console& console) {
   if (to_out && line.json) throw WrongWords("standard output has the results already; --json wants it, too");
   const fs::path seen_from = to_out ? fs::current_path() : fs::absolute(line.output).parent_path();
   Results results = results_of(line.sweep.shards, seen_from.lexically_normal(), line.output);
-  for (Measured& measured : results.scenes)
-    for (MeasuredMode& row : measured.rows)
-      if (!line.sweep.samples) row.samples.clear();
+  if (!line.sweep.samples)
+    for (Measured& measured : results.scenes) {
+      measured.kept.clear(); // pictures would be looked for beside the file
+      for (MeasuredMode& row : measured.rows) row.samples.clear();
+    }
   const std::string text = results_json(results).dump(2) + "\n";
   if (to_out) {
     console.out << text;

@@ -13,6 +13,7 @@
 #include "app/fingerprint.h"
 #include "app/measuring.h"
 #include "app/paths.h"
+#include "renderer/spelling.h"
 
 namespace unghost {
 namespace {
@@ -32,10 +33,10 @@ void check_known(const std::string& what, const std::string& name, const std::ve
     refuse("there is no " + what + " '" + name + "'" + did_you_mean(name, known));
 }
 
-std::string joined(const std::vector<std::string>& parts) {
-  std::string text;
-  for (const std::string& part : parts) text += (text.empty() ? "" : ",") + part;
-  return text;
+/// A number, as the command line has it.
+std::string number_of(const json& value, const std::string& member) {
+  if (!value.is_number_integer()) refuse(member + " has " + value.dump() + ", which is no whole number");
+  return value.dump();
 }
 
 /// A number or a word, as the command line has it.
@@ -108,8 +109,8 @@ Plan plan_of(const json& object) {
   }
   std::vector<std::string> modes;
   read_texts(object, "modes", modes);
-  plan.modes = joined(modes);
-  if (object.contains("frames")) plan.frames = text_of(object.at("frames"), "frames");
+  plan.modes = joined(modes, ",");
+  if (object.contains("frames")) plan.frames = number_of(object.at("frames"), "frames");
   if (object.contains("protocol")) plan.protocol = text_of(object.at("protocol"), "protocol");
   return plan;
 }

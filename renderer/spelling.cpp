@@ -54,6 +54,15 @@ UNGHOST_ANSWERS(Resolver, TAA_RESOLVER)
 UNGHOST_ANSWERS(View, UNGHOST_VIEWS)
 UNGHOST_ANSWERS(Stage, UNGHOST_STAGES)
 
+std::string joined(std::span<const std::string> words, std::string_view between) {
+  std::string text;
+  for (const std::string& word : words) {
+    if (&word != words.data()) text += between;
+    text += word;
+  }
+  return text;
+}
+
 std::string nearest_word(std::string_view word, std::span<const std::string> known) {
   const size_t near = std::max<size_t>(2, word.size() / 3); // further away is another word, not a slip
   std::string best;
@@ -69,9 +78,7 @@ std::string did_you_mean(std::string_view word, std::span<const std::string> kno
   if (!nearest.empty()) return "; did you mean '" + nearest + "'?";
   constexpr size_t most_listed = 12;
   if (known.empty() || known.size() > most_listed) return {};
-  std::string all = "; there are ";
-  for (const std::string& one : known) all += (&one == known.data() ? "" : ", ") + one;
-  return all;
+  return (known.size() == 1 ? "; there is " : "; there are ") + joined(known, ", ");
 }
 
 } // namespace unghost

@@ -24,6 +24,7 @@ template <class Column> std::string_view spelling(Column value) {
   return {};
 }
 
+std::string joined(std::span<const std::string> words, std::string_view between);
 /// The known word nearest to `word` by edit distance; empty where none is near.
 std::string nearest_word(std::string_view word, std::span<const std::string> known);
 /// `; did you mean 'x'?`, or nothing where no known word is near.

@@ -7,6 +7,7 @@
 
 #include "app/measure/bootstrap.h"
 #include "app/measure/quantile.h"
+#include "renderer/spelling.h"
 
 namespace unghost {
 namespace {
@@ -28,15 +29,9 @@ constexpr Comparable comparables[] = {
     {"added_over_copy", "added_over_copy", "", true},
 };
 
-std::string join(const std::vector<std::string>& words, const char* between) {
-  std::string joined;
-  for (const std::string& word : words) joined += (joined.empty() ? "" : between) + word;
-  return joined;
-}
-
 std::string name_of(const Measured& m) {
   std::string name = m.scene + ", " + m.rig + ", " + size_of(m) + ", seed " + std::to_string(m.seed);
-  return m.set.empty() ? name : name + ", " + join(m.set, " ");
+  return m.set.empty() ? name : name + ", " + joined(m.set, " ");
 }
 
 /// What is small beside this is nothing: ten units of the last decimal that is worth reading.

@@ -135,8 +135,8 @@ std::span<const FigureKind> figure_kinds() {
       {"added_ms", "adds", "ms", "The time of all passes that `off` does not need, a median.", 2, true, true},
       {"added_over_copy", "adds, over a copy", "", "The same over a full-screen copy in the same rounds.", 2,
        true, true},
-      {"p05", "5%", "ms", "Of the rounds were faster.", 2, false, true},
-      {"p95", "95%", "ms", "Of the rounds were faster.", 2, false, true},
+      {"p05", "adds, 5th percentile", "ms", "One round in 20 was faster.", 2, false, true},
+      {"p95", "adds, 95th percentile", "ms", "One round in 20 was slower.", 2, false, true},
       {"over_copy", "resolve, over a copy", "", "The resolve over a full-screen copy in the same rounds.", 2,
        true, true},
       {"over_naive", "resolve, over naive", "", "The resolve over the plain resolve of the same row.", 3,
@@ -189,7 +189,10 @@ Measured measured_from_json(const json& object, const std::string& where) {
   try {
     return read_measured(object);
   } catch (const std::exception& error) { // a member is missing or of another type
-    throw Failure(Exit::input_refused, where + " holds no measurement of unghost: " + error.what());
+    const std::string said = error.what();
+    const size_t prefix =
+        said.starts_with("[json.exception") ? said.find("] ") + 2 : 0; // the parser's own code
+    throw Failure(Exit::input_refused, where + " holds no measurement of unghost: " + said.substr(prefix));
   }
 }
 

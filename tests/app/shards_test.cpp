@@ -113,6 +113,23 @@ TEST(Shards, TheOthersGoOnWhereOneFails) {
   EXPECT_TRUE(again.failed.empty());
 }
 
+TEST(Shards, AFolderThatTakesNothingEndsAllAtOnce) {
+  const ScratchFolder folder;
+  Talk talk;
+  Worker worker = fake_worker();
+  size_t begun = 0;
+  const fs::path goes = folder.path / "shards";
+  worker.run = [&](const Words&, Console&) {
+    ++begun;
+    fs::remove_all(goes); // as if the disk had gone
+    throw Failure(Exit::failed, "cannot write");
+  };
+  EXPECT_THROW(make_shards(some_jobs(), goes, worker, talk.console), Failure);
+  EXPECT_EQ(begun, 1u);
+  EXPECT_THROW(make_shards(some_jobs(), folder.file("file", "") / "in", worker, talk.console), Failure);
+  EXPECT_EQ(begun, 1u);
+}
+
 TEST(Shards, ALostDeviceAndASignalEndAllAndLeaveWholeShards) {
   const std::vector<Job> jobs = some_jobs();
   for (const bool signal : {false, true}) {

@@ -118,8 +118,8 @@ TEST(SweepPlan, WhatTheCommandWouldRefuseIsRefusedInASentence) {
       {{{"what", {"ghosting", "shimer"}}}, "no 'shimer'; did you mean 'shimmer'?"},
       {{{"protocol", "quik"}}, "quik not in {quick,full}"},
       {{{"frames", 0}}, "--frames"},
-      {{{"frames", "many"}}, "--frames"},
-      {{{"frames", {20}}}, "neither a word nor a number"},
+      {{{"frames", "20"}}, "frames has \"20\", which is no whole number"},
+      {{{"frames", {20}}}, "which is no whole number"},
       {{{"rigs", {"drive", "drive"}}}, "it has twice: measure asphalt --rig drive"},
   };
   for (const auto& [plan, expected] : cases) {

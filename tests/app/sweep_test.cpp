@@ -155,12 +155,28 @@ TEST(MergeCommand, PicturesThatDoNotLieWithTheFiguresAreLeftOut) {
 
 TEST(MergeCommand, WithoutSamplesTheFiguresStay) {
   const ScratchFolder folder;
-  const Measured m = fake_measured({"measure", "--modes", "blend", "--what", "ghosting"});
+  Measured m = fake_measured({"measure", "--modes", "blend", "--what", "ghosting"});
+  m.kept = {{.kind = "ghosting",
+             .mode = "blend",
+             .frame = 1,
+             .flip = .1,
+             .picture = "a.png",
+             .reference = "b.png"}};
   write_json(folder.path / "a.json", measured_json(m));
   const json results = json::parse(outcome({"merge", folder.path.string(), "--no-samples", "-o", "-"}).out);
   const json& row = results.at("scenes").at(0).at("rows").at(0);
   EXPECT_EQ(row.at("ghosting"), m.rows[0].figures.at("ghosting"));
   EXPECT_TRUE(row.at("samples").empty());
+  EXPECT_TRUE(results.at("scenes").at(0).at("kept").empty());
+}
+
+TEST(MergeCommand, WhereJsonIsWrongIsSaid) {
+  const ScratchFolder folder;
+  expect_refused({"merge", folder.file("a.json", "{\"scenes\": [],\n \"version\" 1}").string(), "-o", "-"}, 3,
+                 "no JSON: see line 2");
+  expect_refused(
+      {"merge", folder.file("b.json", R"({"scenes": [], "a": {"b": 1}, "scenes": []})").string(), "-o", "-"},
+      3, "'scenes' twice in one object");
 }
 
 TEST(MergeCommand, ADeepFileIsRefused) {

@@ -115,7 +115,7 @@ std::string warnings(const Results& results) {
 std::string measured_on(const Results& results) {
   std::vector<std::string> devices, cases;
   for (const Measured& m : results.scenes) {
-    const std::string device = m.device + (m.timing ? " (" + m.timing->host + ")" : "");
+    const std::string device = m.device + (m.timing ? ", host " + m.timing->host : "");
     if (std::ranges::find(devices, device) == devices.end()) devices.push_back(device);
   }
   std::set<std::string> scenes, rigs, sizes;

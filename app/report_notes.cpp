@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
+#include <tuple>
 
 #include "app/measure/bootstrap.h"
 #include "app/measure/report/paper_tables.h"
@@ -14,10 +16,15 @@ namespace {
 struct Column {
   const char* figure;
   double PaperRow::*theirs;
-  const char* less; // than: the one with the smaller figure ...
+  const char* less;    // than: the one with the smaller figure ...
+  const char* of_what; // its samples are
+  const char* depends; // where the paper's other scene has the order that we have
+  int decimals, their_decimals;
 };
-constexpr Column columns[] = {{"ghosting", &PaperRow::ghosting, "ghosts less"},
-                              {"shimmer", &PaperRow::shimmer, "shimmers less"}};
+constexpr Column columns[] = {
+    {"ghosting", &PaperRow::ghosting, "ghosts less", "frames", "it depends on the scene", 4, 4},
+    {"shimmer", &PaperRow::shimmer, "shimmers less", "frames", "it depends on the scene", 4, 4},
+    {"over_copy", &PaperRow::ms, "takes less time", "rounds", "neither is faster everywhere", 2, 3}};
 
 const MeasuredMode* row_of(const Measured& m, std::string_view mode) {
   const auto found = std::ranges::find(m.rows, mode, &MeasuredMode::mode);
@@ -43,50 +50,67 @@ std::string elsewhere_in_the_paper(const PaperTable& table, const Column& column
     const auto a = find(less.mode), b = find(more.mode);
     if (a == other.rows.end() || b == other.rows.end()) continue;
     const double x = (*a).*(column.theirs), y = (*b).*(column.theirs);
-    const std::string figures = fixed(x, 4) + " and " + fixed(y, 4);
+    const std::string figures = fixed(x, column.their_decimals) + " and " + fixed(y, column.their_decimals);
     return x < y ? " In the paper's own " + std::string(other.scene) + " the order is as here (" + figures +
-                       "): it depends on the scene."
+                       "): " + column.depends + "."
                  : " Its " + std::string(other.scene) + " has the paper's order, too (" + figures + ").";
   }
   return {};
+}
+
+const std::vector<double>* samples_of(const MeasuredMode& row, const Column& column) {
+  const auto found = row.samples.find(column.figure);
+  return found == row.samples.end() || found->second.size() < 2 ? nullptr : &found->second;
+}
+
+/// How sure it is that the first is less than the second; nothing where the samples have not come along.
+std::string certainty(const MeasuredMode& less, const MeasuredMode& more, const Column& column) {
+  const std::vector<double>*after = samples_of(less, column), *before = samples_of(more, column);
+  if (after == nullptr || before == nullptr) return {};
+  const auto shares = [](const std::vector<double>& samples) {
+    return FrameShares{samples, std::vector<double>(samples.size(), 1)};
+  };
+  constexpr double least = 1e-9;
+  const RelativeChange change = std::string_view(column.figure) == "over_copy"
+                                    ? change_of_medians(*before, *after, least)
+                                    : change_of_frames(shares(*before), shares(*after),
+                                                       {.paired = before->size() == after->size()}, least);
+  return std::string(" (95% over ") + column.of_what + ": " + interval(change) + "), " +
+         (change.high < 0 ? "so it is no chance of these " : "which does not tell them apart over these ") +
+         column.of_what;
 }
 
 /// `less` has the smaller figure here, and the larger one in the paper.
 std::string explained(const Measured& m, const PaperTable& table, const Column& column, const PaperRow& less,
                       const PaperRow& more) {
   const MeasuredMode &a = *row_of(m, less.mode), &b = *row_of(m, more.mode);
-  const auto shares = [&](const MeasuredMode& row) {
-    const std::vector<double>& samples = row.samples.at(column.figure);
-    return FrameShares{samples, std::vector<double>(samples.size(), 1)};
-  };
-  const FrameShares before = shares(b), after = shares(a);
-  const bool paired = before.parts.size() == after.parts.size();
-  const RelativeChange change = change_of_frames(before, after, {.paired = paired}, 1e-9);
-  const bool sure = change.high < 0;
-  std::string text =
-      std::string(less.mode) + " " + column.less + " here than " + std::string(more.mode) + ": " +
-      fixed(a.figures.at(column.figure), 4) + " and " + fixed(b.figures.at(column.figure), 4) + ", " +
-      percent(change.change) + " apart (95% over frames: " + interval(change) + "), " +
-      (sure ? "so it is no chance of these frames." : "which these frames do not tell from none.");
-  const double theirs_less = less.*(column.theirs), theirs_more = more.*(column.theirs);
-  text += " The paper has " + fixed(theirs_less, 4) + " and " + fixed(theirs_more, 4) + ", " +
-          percent(theirs_more / theirs_less - 1) + " apart.";
-  return text + elsewhere_in_the_paper(table, column, less, more);
+  const double ours = a.figures.at(column.figure), ours_more = b.figures.at(column.figure);
+  const double theirs = less.*(column.theirs), theirs_more = more.*(column.theirs);
+  return "At " + size_of(m) + " " + std::string(less.mode) + " " + column.less + " than " +
+         std::string(more.mode) + ": " + fixed(ours, column.decimals) + " and " +
+         fixed(ours_more, column.decimals) + ", " + percent(ours / ours_more - 1) + " apart" +
+         certainty(a, b, column) + ". The paper has " + fixed(theirs, column.their_decimals) + " and " +
+         fixed(theirs_more, column.their_decimals) + ", " + percent(theirs_more / theirs - 1) + " apart." +
+         elsewhere_in_the_paper(table, column, less, more);
 }
 
-void explain(const Measured& m, const PaperTable& table, const Column& column, PageNotes& notes) {
+/// Pairs of modes by name, of one column: those that have been explained.
+using Explained = std::set<std::tuple<const char*, std::string_view, std::string_view>>;
+
+void explain(const Measured& m, const PaperTable& table, const Column& column, Explained& done,
+             PageNotes& notes) {
   std::vector<double> theirs, ours;
   for (const PaperRow& row : table.rows) {
     const MeasuredMode* here = row_of(m, row.mode);
-    const bool there = here != nullptr && here->figures.contains(column.figure) &&
-                       here->samples.contains(column.figure) && here->samples.at(column.figure).size() > 1;
     theirs.push_back(row.*(column.theirs));
-    ours.push_back(there ? here->figures.at(column.figure) : NAN);
+    ours.push_back(here != nullptr && here->figures.contains(column.figure) ? here->figures.at(column.figure)
+                                                                            : NAN);
   }
   for (const auto& [a, b] : compare_orders(theirs, ours).unlike) {
-    const bool first = ours[a] < ours[b];
-    notes.paragraphs.push_back(
-        explained(m, table, column, table.rows[first ? a : b], table.rows[first ? b : a]));
+    const PaperRow &less = table.rows[ours[a] < ours[b] ? a : b],
+                   &more = table.rows[ours[a] < ours[b] ? b : a];
+    if (done.insert({column.figure, less.mode, more.mode}).second)
+      notes.paragraphs.push_back(explained(m, table, column, less, more));
   }
 }
 
@@ -95,14 +119,14 @@ void explain(const Measured& m, const PaperTable& table, const Column& column, P
 PageNotes report_notes(const Results& results) {
   PageNotes notes;
   for (const PaperTable& table : paper_tables()) {
-    // the largest of what shows it speaks for the others
-    const Measured* shown = nullptr;
+    std::vector<const Measured*> shown; // what the largest says holds for the others, too
     for (const Measured& m : results.scenes)
-      if (is_of(table, m) &&
-          (shown == nullptr || m.width * uint64_t(m.height) > shown->width * uint64_t(shown->height)))
-        shown = &m;
-    for (const Column& column : columns)
-      if (shown != nullptr) explain(*shown, table, column, notes);
+      if (is_of(table, m)) shown.push_back(&m);
+    std::ranges::stable_sort(shown, std::ranges::greater(),
+                             [](const Measured* m) { return m->width * uint64_t(m->height); });
+    Explained done;
+    for (const Measured* m : shown)
+      for (const Column& column : columns) explain(*m, table, column, done, notes);
   }
   return notes;
 }

@@ -34,9 +34,9 @@ private:
 
 void write_file(const std::filesystem::path& path, std::span<const uint8_t> bytes);
 std::span<const uint8_t> bytes_of(const std::string& text);
-/// Makes the folder where it is not there. Throws Failure(failed).
 /// Throws Failure(failed) where a file of some size could not be written there now.
 void check_takes_files(const std::filesystem::path& folder);
+/// Makes the folder where it is not there. Throws Failure(failed).
 void make_folder(const std::filesystem::path& folder);
 /// Throws Failure(input_refused) where it cannot be read, is no regular file, or has more than `limit` bytes.
 std::vector<uint8_t> read_file(const std::filesystem::path& path, size_t limit);

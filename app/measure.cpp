@@ -73,7 +73,9 @@ void say_what_is_missing(const MeasurePlan& plan, const Measured& measured, Cons
     console.err
         << "no surface and no shadow changed in the frames that were measured, so there is no trail\n";
   if (plan.aspects.contains(Aspect::flicker) && none_has("flicker"))
-    console.err << "nothing moved in the frames that were measured, so there is no flicker; see shimmer\n";
+    console.err
+        << "between its supersampled frames the picture rests, or has no surface that stays, so there is no "
+           "flicker; see shimmer\n";
 }
 
 } // namespace

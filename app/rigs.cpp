@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "app/measure/results.h"
+
 namespace unghost {
 namespace {
 
@@ -192,7 +194,7 @@ Instant overhead(const RigContext& context, double time_s) {
 
 std::span<const Rig> rigs() {
   static constexpr Rig rows[] = {
-      {"still", "Nothing moves: convergence and shimmer.", still},
+      {rest_rig, "Nothing moves: convergence and shimmer.", still},
       {"drive", "The vehicle drives fast and the camera chases it: the near road, the shadow behind.", drive},
       {"rotate", "The camera swings round the parked vehicle: disocclusion beside it.", rotate},
       {"pass",

@@ -132,10 +132,13 @@ nlohmann::json read_json(const fs::path& file) {
     return strict_json(bytes);
   } catch (const std::invalid_argument& error) {
     throw Failure(Exit::input_refused, file.string() + ": " + error.what());
-  } catch (const nlohmann::json::parse_error& error) {
-    const auto line =
-        1 + std::count(bytes.begin(), bytes.begin() + ptrdiff_t(std::min(error.byte, bytes.size())), '\n');
+  } catch (const nlohmann::json::parse_error& error) { // `byte` is the last that was read, from 1
+    const auto read = ptrdiff_t(std::min(error.byte, bytes.size()));
+    const auto line = 1 + std::count(bytes.begin(), bytes.begin() + std::max<ptrdiff_t>(read - 1, 0), '\n');
     throw Failure(Exit::input_refused, file.string() + " is no JSON: see line " + std::to_string(line));
+  } catch (const nlohmann::json::exception&) { // a number that no double holds
+    throw Failure(Exit::input_refused,
+                  file.string() + " is no JSON that can be read: a number is out of range");
   }
 }
 
@@ -184,8 +187,6 @@ bool make_shard(const Job& job, const fs::path& folder, const Worker& worker, Co
 
 Sweep make_shards(const std::vector<Job>& jobs, const fs::path& folder, const Worker& worker,
                   Console& console) {
-  make_folder(folder);
-  check_takes_files(folder);
   Sweep sweep;
   for (const Job& job : jobs) {
     throw_if_interrupted();

@@ -127,8 +127,8 @@ std::vector<Measured> joined(const std::vector<const Measured*>& alike) {
 
 std::vector<Measured> merged(std::vector<Measured> parts) {
   using Key = std::tuple<std::string, uint64_t, uint64_t, std::string, std::string, std::string>;
-  std::map<Key, const Measured*>
-      sorted; // by what people look for first, the largest first; the whole of it decides the rest
+  // by what people look for first, large before small; the whole of it decides the rest
+  std::map<Key, const Measured*> sorted;
   for (const Measured& m : parts)
     sorted.emplace(Key(m.scene, m.seed, UINT64_MAX - uint64_t(m.width) * m.height, m.rig,
                        identity_of(m).dump(), measured_json(m).dump()),

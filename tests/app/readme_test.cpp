@@ -26,6 +26,11 @@ fs::path report_file(const char* name) {
   return fs::path(UNGHOST_README).parent_path() / "assets" / "report" / name;
 }
 
+std::string text_of(const char* file) {
+  std::ifstream stream(file);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
 Results results_in(const fs::path& file) { return results_from_json(read_json(file), file.string()); }
 
 const MeasuredMode& row_of(const Measured& m, std::string_view mode) {
@@ -37,7 +42,8 @@ const MeasuredMode& row_of(const Measured& m, std::string_view mode) {
 /// As the table has it: .954, 12.3, 0.
 std::string cell(const Measured& m, const std::string& mode, const std::string& figure, int decimals) {
   const auto& figures = row_of(m, mode).figures;
-  const std::string text = figures.contains(figure) ? number(figures.at(figure), decimals) : "0";
+  const bool none = mode == "off" && !figures.contains(figure); // it adds nothing
+  const std::string text = none ? "0" : number(figures.at(figure), decimals);
   if (std::stod(text) == 0) return "0";
   return text.starts_with("0.") ? text.substr(1) : text;
 }
@@ -73,6 +79,15 @@ TEST_F(ReadmeFigures, AreThoseOfTheCommittedReport) {
         ++rows;
       }
   EXPECT_EQ(rows, taa_modes().size());
+  const Timing& timing = of("drive").timing.value();
+  EXPECT_NE(
+      text_of(UNGHOST_README).find("copies: " + number(timing.motion_ms / timing.copy_ms, 1) + "\nof them"),
+      std::string::npos);
+  EXPECT_EQ(of("drive").frames, 200u);
+  EXPECT_EQ(of("drive").fill, 100u);
+  EXPECT_EQ(of("drive").seed, 1u);
+  EXPECT_EQ(of("drive").samples, 256u);
+  EXPECT_EQ(timing.rounds, 1000u);
 }
 
 TEST_F(ReadmeFigures, AreOfTheRowsThatTheModesAreNow) {

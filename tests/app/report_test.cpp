@@ -192,5 +192,14 @@ TEST_F(Reported, BesideABaselineSaysWhatIsWorseAndEndsWithOne) {
   EXPECT_EQ(beside(own).exit, 1);
 }
 
+TEST(Measure, ConvergenceAloneHasATable) {
+  const Outcome run =
+      outcome({"measure", "--what", "convergence", "--size", "16x16", "--modes", "blend", "--quiet"});
+  ASSERT_EQ(run.exit, 0) << run.err;
+  EXPECT_TRUE(run.out.starts_with("Error after so many frames at rest, a mode a column\nframes  blend\n"))
+      << run.out;
+  EXPECT_NE(run.out.find("halton-8"), std::string::npos) << run.out;
+}
+
 } // namespace
 } // namespace unghost

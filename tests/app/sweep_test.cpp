@@ -174,6 +174,10 @@ TEST(MergeCommand, WhereJsonIsWrongIsSaid) {
   const ScratchFolder folder;
   expect_refused({"merge", folder.file("a.json", "{\"scenes\": [],\n \"version\" 1}").string(), "-o", "-"}, 3,
                  "no JSON: see line 2");
+  expect_refused({"merge", folder.file("c.json", "{\"scenes\": \"x\n}").string(), "-o", "-"}, 3,
+                 "see line 1");
+  expect_refused({"merge", folder.file("d.json", "{\"scenes\": 1e999}").string(), "-o", "-"}, 3,
+                 "out of range");
   expect_refused(
       {"merge", folder.file("b.json", R"({"scenes": [], "a": {"b": 1}, "scenes": []})").string(), "-o", "-"},
       3, "'scenes' twice in one object");

@@ -65,8 +65,8 @@ void add_times(Chart& chart, const MeasuredMode& row, const std::vector<double>&
   chart.series.push_back(row_series(Mark::point, look, row.mode, {median}));
 }
 
-/// What three decimals show as nothing is nothing: it would stretch a logarithmic scale.
-double share_shown(double share) { return share < 0.0005 ? 0 : share; }
+/// What reads as nothing is nothing: it would stretch a logarithmic scale.
+double share_shown(double share) { return as_read(share, 3) == 0 ? 0 : share; }
 
 } // namespace
 

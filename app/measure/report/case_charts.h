@@ -11,7 +11,9 @@ using Looks = std::map<std::string, Look>;
 std::vector<const FigureKind*> judged_by();
 /// Those of them that any mode has, and that mean something there: nothing ghosts where nothing moves.
 std::vector<const FigureKind*> errors_in(const Measured& m);
-/// Of rows with that figure and a time, by rising time: indices of m.rows. Times that their rounds do not
+/// Whether it has that figure and a time, and the figure says something of it.
+bool is_candidate(const Measured& m, const MeasuredMode& row, const FigureKind& kind);
+/// Of the candidates, by rising time: indices of m.rows. Times that their rounds do not
 /// tell apart are equal, as are errors that are shown alike. A mode that adds no time is the aliased frame;
 /// what is measured against that frame (no jitter) says nothing of it.
 std::vector<size_t> front_of(const Measured& m, const FigureKind& kind);

@@ -48,6 +48,13 @@ std::string number(double value, int decimals) {
   return {text, end};
 }
 
+double as_read(double value, int decimals) {
+  const std::string text = number(value, decimals);
+  double read = value; // not a number stays so
+  std::from_chars(text.data(), text.data() + text.size(), read);
+  return read;
+}
+
 std::string milliseconds(double value) {
   if (!(value > 0)) return number(value, 0);
   return number(value, std::clamp(2 - int(std::floor(std::log10(value))), 0, 5));

@@ -16,6 +16,8 @@ std::string escaped(std::string_view text);
 std::string script_json(const nlohmann::json& data);
 /// With that many decimals, whatever the locale.
 std::string number(double value, int decimals);
+/// What a reader has of it: the number that is written.
+double as_read(double value, int decimals);
 /// Three digits that count: 0.0213, 0.213, 21.3.
 std::string milliseconds(double value);
 std::string base64(std::span<const uint8_t> bytes);

@@ -49,10 +49,17 @@ const unghost = {
   let opened = [];
   addEventListener("beforeprint", () => {
     opened = [...document.querySelectorAll("details:not([open])")];
-    for (const details of opened) details.removeAttribute("name"), details.open = true;
+    for (const details of opened) {
+      details.group = details.getAttribute("name"); // of which one alone is open
+      details.removeAttribute("name");
+      details.open = true;
+    }
   });
   addEventListener("afterprint", () => {
-    for (const details of opened) details.open = false;
+    for (const details of opened) {
+      details.open = false;
+      if (details.group) details.setAttribute("name", details.group);
+    }
   });
 
   // Filter

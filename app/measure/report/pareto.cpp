@@ -12,7 +12,6 @@ bool is_cheaper(const CostAndError& a, const CostAndError& b) {
 
 bool is_known(const CostAndError& a) { return !std::isnan(a.cost) && !std::isnan(a.error); }
 
-/// No circle of points beats itself: who beats has less error, or as much and is cheaper.
 bool beats(const CostAndError& a, const CostAndError& b) {
   if (a.error < b.error) return !is_cheaper(b, a);
   return a.error == b.error && is_cheaper(a, b);
@@ -20,14 +19,16 @@ bool beats(const CostAndError& a, const CostAndError& b) {
 
 } // namespace
 
+/// Who beats has less error, or as much and less cost: from the least error on, and beaten only by those that
+/// are on the front themselves, because margins that meet make no chain.
 std::vector<size_t> pareto_front(std::span<const CostAndError> points) {
-  const auto is_beaten = [&](const CostAndError& point) {
-    return std::ranges::any_of(
-        points, [&](const CostAndError& other) { return is_known(other) && beats(other, point); });
-  };
-  std::vector<size_t> front;
+  std::vector<size_t> order, front;
   for (size_t i = 0; i < points.size(); ++i)
-    if (is_known(points[i]) && !is_beaten(points[i])) front.push_back(i);
+    if (is_known(points[i])) order.push_back(i);
+  std::ranges::stable_sort(order, {}, [&](size_t i) { return std::pair(points[i].error, points[i].cost); });
+  for (const size_t i : order)
+    if (std::ranges::none_of(front, [&](size_t kept) { return beats(points[kept], points[i]); }))
+      front.push_back(i);
   std::ranges::stable_sort(front, {}, [&](size_t i) { return std::pair(points[i].cost, -points[i].error); });
   return front;
 }

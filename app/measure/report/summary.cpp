@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 #include "app/measure/report/html.h"
@@ -23,7 +24,7 @@ struct Standing {
 /// Those of the front that are shown to have as little error as its last.
 bool is_best(const Measured& m, const FigureKind& kind, const std::vector<size_t>& front, size_t i) {
   const auto shown = [&](size_t row) {
-    return number(m.rows[row].figures.at(std::string(kind.name)), kind.decimals);
+    return as_read(m.rows[row].figures.at(std::string(kind.name)), kind.decimals);
   };
   return shown(i) == shown(front.back());
 }
@@ -73,7 +74,9 @@ std::string never_on_a_front(const Results& results, const std::set<std::string>
   std::vector<std::string> never;
   for (const Measured& m : results.scenes)
     for (const MeasuredMode& row : m.rows)
-      if (!seen.contains(row.mode) && std::ranges::find(never, row.mode) == never.end())
+      if (std::ranges::any_of(judged_by(),
+                              [&](const FigureKind* kind) { return is_candidate(m, row, *kind); }) &&
+          !seen.contains(row.mode) && std::ranges::find(never, row.mode) == never.end())
         never.push_back(row.mode);
   if (never.empty() || seen.empty()) return {};
   return "<p>Never worth it here, whatever is judged: " + escaped(listed(never)) + ".</p>\n";
@@ -84,18 +87,18 @@ constexpr std::string_view aliased_mode = "off";
 /// Said where it is so: a reader would not expect it.
 std::string aliased_is_nearest(const Measured& m) {
   const MeasuredMode *aliased = nullptr, *next = nullptr;
-  const auto error = [](const MeasuredMode& row) { return row.figures.at("error"); };
+  const auto error = [](const MeasuredMode& row) { return as_read(row.figures.at("error"), 4); };
   for (const MeasuredMode& row : m.rows) {
-    if (!row.figures.contains("error")) continue;
+    if (!row.figures.contains("error") || !std::isfinite(row.figures.at("error"))) continue;
     if (row.mode == aliased_mode)
       aliased = &row;
     else if (next == nullptr || error(row) < error(*next))
       next = &row;
   }
-  if (aliased == nullptr || next == nullptr || error(*next) < error(*aliased)) return {};
-  return "<p class=\"note\">The aliased frame is the nearest to the supersampled one here (" +
-         number(error(*aliased), 4) + "; the best of the others is " + escaped(next->mode) + " with " +
-         number(error(*next), 4) + "): history blurs more here than it smooths.</p>\n";
+  if (aliased == nullptr || next == nullptr || error(*next) <= error(*aliased)) return {};
+  return "<p class=\"note\">No mode is as near to the supersampled frame here as the aliased one: " +
+         number(error(*aliased), 4) + "; the best of them, " + escaped(next->mode) + ", has " +
+         number(error(*next), 4) + ". A weight of old frames costs more here than it mends.</p>\n";
 }
 
 std::string warnings(const Results& results) {
@@ -113,7 +116,7 @@ std::string warnings(const Results& results) {
 }
 
 std::string measured_on(const Results& results) {
-  std::vector<std::string> devices, cases;
+  std::vector<std::string> devices;
   for (const Measured& m : results.scenes) {
     const std::string device = m.device + (m.timing ? ", host " + m.timing->host : "");
     if (std::ranges::find(devices, device) == devices.end()) devices.push_back(device);
@@ -172,7 +175,7 @@ std::string fronts_table(const Measured& m, const Looks& looks) {
     }
     html += "</span></td></tr>\n";
   }
-  if (html.empty()) return {};
+  if (html.empty()) return aliased_is_nearest(m);
   const std::string lent = m.timing && m.timing->rig != m.rig ? "<p class=\"note\">Times are those of rig " +
                                                                     escaped(m.timing->rig) + ".</p>\n"
                                                               : "";
@@ -197,9 +200,8 @@ std::string summary_section(const Results& results, const Looks& looks) {
     return html + "<p>No mode has both a time and an error, so nothing is said of what is worth it.</p>\n";
   const bool many = results.scenes.size() > 1;
   return html +
-         "<h2 id=\"worth\">Worth having</h2><p>A mode is worth its time if no other is both cheaper and "
-         "better: if it "
-         "lies on the Pareto front" +
+         "<h2 id=\"worth\">Worth having</h2><p>A mode is worth its time if no other is better and no "
+         "dearer, or as good and cheaper: if it lies on the Pareto front" +
          std::string(many ? ", here with the number of rigs and sizes where it does" : "") +
          ". Times that the rounds do not tell apart, and figures that read alike, are equal.</p>\n<div "
          "class=\"wide\"><table class=\"fronts\"><thead><tr><th scope=\"col\">judged by</th><th "

@@ -25,7 +25,7 @@ std::vector<Column> columns_of(const Measured& m) {
       const auto found = row.figures.find(std::string(kind.name));
       if (found == row.figures.end()) continue;
       ++count;
-      if (found->second > 0) column.best = std::min(column.best, found->second);
+      if (as_read(found->second, kind.decimals) > 0) column.best = std::min(column.best, found->second);
     }
     column.told = count > 1;
     if (kind.unit == "ms" && std::isfinite(column.best)) // fast devices: two digits that count at least
@@ -39,7 +39,8 @@ std::string cell(const MeasuredMode& row, const Column& column) {
   const auto found = row.figures.find(std::string(column.kind->name));
   if (found == row.figures.end()) return "<td class=\"none\" data-value=\"\">–</td>";
   const std::string value = number(found->second, column.decimals);
-  const bool best = column.told && found->second > 0 && value == number(column.best, column.decimals);
+  const bool best =
+      column.told && as_read(found->second, column.decimals) == as_read(column.best, column.decimals);
   return "<td data-value=\"" + nlohmann::json(found->second).dump() + "\">" +
          (best ? "<strong class=\"best\">" + value + "<span class=\"aside\"> best</span></strong>" : value) +
          "</td>";

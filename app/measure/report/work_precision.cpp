@@ -26,25 +26,20 @@ std::optional<double> figure_in(const std::map<std::string, double>& figures, st
   return found->second;
 }
 
-/// What can be read of an error.
-double as_shown(double error, const FigureKind& kind) {
-  const double unit = std::pow(10, -kind.decimals);
-  return std::round(error / unit) * unit;
-}
-
 /// What is shown as 0 is 0, or the first digits of nothing would stretch a logarithmic scale.
 std::optional<CostAndError> point_of(const std::map<std::string, double>& figures, const FigureKind& kind) {
   const auto cost = figure_in(figures, "added_ms"), error = figure_in(figures, kind.name);
   if (!cost || !error) return {};
-  return CostAndError{std::max(0., *cost), as_shown(*error, kind) == 0 ? 0 : *error};
+  return CostAndError{std::max(0., *cost), as_read(*error, kind.decimals) == 0 ? 0 : *error};
 }
 
-/// Half of the 95% interval of a median: 1.57 times the middle half of the rounds over the root of their
-/// number (McGill, Tukey and Larsen 1978); of a normal distribution the middle half is .41 of what lies
-/// between p05 and p95. No less than half of the third digit, the last that is shown.
+/// The notch of a median: two that do not overlap differ at about 95%. 1.57 times the middle half of the
+/// rounds over the root of their number (McGill, Tukey and Larsen 1978); of a normal distribution the middle
+/// half is .41 of what lies between p05 and p95. No less than half of the third digit, the last that is
+/// shown.
 double margin_of(const Measured& m, const std::map<std::string, double>& figures, double cost) {
+  const double digit = cost > 0 ? 0.5 * std::pow(10, std::floor(std::log10(cost)) - 2) : 0;
   const auto low = figure_in(figures, "p05"), high = figure_in(figures, "p95");
-  const double digit = 0.0025 * cost;
   if (!low || !high || !m.timing || m.timing->rounds == 0) return digit;
   return std::max(digit, 1.57 * 0.41 * (*high - *low) / std::sqrt(double(m.timing->rounds)));
 }
@@ -60,13 +55,14 @@ std::string note_of(const std::string& name, const CostAndError& at, const Figur
          milliseconds(at.cost) + " ms";
 }
 
-/// Along the points: nothing known reaches below.
+/// Along the points of the front, never upwards: an error that is a little higher reads alike.
 ChartSeries stairs(const Measured& m, const std::vector<size_t>& front, const FigureKind& kind) {
   ChartSeries line{.name = "Pareto front", .mark = Mark::front, .look = {}, .mode = {}, .points = {}};
   for (const size_t i : front) {
     const CostAndError at = *point_of(m.rows[i].figures, kind);
     if (!line.points.empty()) line.points.push_back({at.cost, line.points.back().y});
-    line.points.push_back({at.cost, at.error});
+    line.points.push_back(
+        {at.cost, line.points.empty() ? at.error : std::min(at.error, line.points.back().y)});
   }
   return line;
 }
@@ -87,15 +83,16 @@ ChartSeries supersampling(const Measured& m, const FigureKind& kind) {
 }
 
 /// Supersampling costs far more than the modes, and would press them together.
-double knee_of(const ChartSeries& supersampled, double dearest_mode) {
-  return supersampled.points.empty() || supersampled.points.back().x < 4 * dearest_mode ? 0 : dearest_mode;
+double knee_of(const ChartSeries& supersampled, double cheapest_mode, double dearest_mode) {
+  const bool far = !supersampled.points.empty() && supersampled.points.back().x > 4 * dearest_mode;
+  return far && cheapest_mode < dearest_mode ? dearest_mode : 0;
 }
 
 std::string caption_of(const FigureKind& kind, bool supersampled, bool bent) {
   std::string text = std::string(kind.summary) + " Less is better on both axes.";
   if (supersampled)
     text += std::string(" Dashed: the mean of so many samples a pixel") +
-            (bent ? ", beyond // on a tighter scale." : ".");
+            (bent ? ", beyond the last // on a tighter scale." : ".");
   if (is_among(kind.name, none_when_aliased))
     text += " The aliased frame itself, at 0 ms, has none of it and is on no front here.";
   return text;
@@ -110,7 +107,7 @@ Chart chart_of(const Measured& m, const Looks& looks, const FigureKind& kind, co
       .y = {.label = std::string(kind.label) + ", " + std::string(kind.unit), .log = false, .rows = {}},
       .series = {}};
   const std::vector<size_t> front = front_of(m, kind);
-  double least = INFINITY, most = 0, dearest = 0;
+  double least = INFINITY, most = 0, cheapest = INFINITY, dearest = 0;
   const ChartSeries supersampled = supersampling(m, kind);
   for (const ChartSeries& line : {supersampled, stairs(m, front, kind)})
     if (!line.points.empty()) chart.series.push_back(line);
@@ -125,8 +122,9 @@ Chart chart_of(const Measured& m, const Looks& looks, const FigureKind& kind, co
                               .points = {{at->cost, at->error, note_of(mode, *at, kind), on_front}}});
       if (at->error > 0) least = std::min(least, at->error), most = std::max(most, at->error);
       dearest = std::max(dearest, at->cost);
+      if (at->cost > 0) cheapest = std::min(cheapest, at->cost);
     }
-  chart.x.knee = knee_of(supersampled, dearest);
+  chart.x.knee = knee_of(supersampled, cheapest, dearest);
   chart.caption = caption_of(kind, !supersampled.points.empty(), chart.x.knee > 0);
   if (most > 6 * least) // one of them would press the others together
     chart.y.log = true, chart.y.label += " (log)";
@@ -153,15 +151,22 @@ std::vector<const FigureKind*> errors_in(const Measured& m) {
   return kinds;
 }
 
+bool is_candidate(const Measured& m, const MeasuredMode& row, const FigureKind& kind) {
+  if (is_at_rest(m) && is_among(kind.name, none_at_rest)) return false;
+  const auto at = point_of(row.figures, kind);
+  return at && (at->cost > 0 || !is_among(kind.name, none_when_aliased));
+}
+
 std::vector<size_t> front_of(const Measured& m, const FigureKind& kind) {
-  if (is_at_rest(m) && is_among(kind.name, none_at_rest)) return {};
   std::vector<CostAndError> points;
   for (const MeasuredMode& row : m.rows) {
-    auto at = point_of(row.figures, kind);
-    if (at && at->cost == 0 && is_among(kind.name, none_when_aliased)) at.reset();
-    points.push_back(
-        at ? CostAndError{at->cost, as_shown(at->error, kind), margin_of(m, row.figures, at->cost)}
-           : CostAndError{NAN, NAN});
+    CostAndError point{NAN, NAN};
+    if (is_candidate(m, row, kind)) {
+      point = *point_of(row.figures, kind);
+      point.error = as_read(point.error, kind.decimals),
+      point.cost_margin = margin_of(m, row.figures, point.cost);
+    }
+    points.push_back(point);
   }
   return pareto_front(points);
 }

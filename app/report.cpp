@@ -80,13 +80,20 @@ Results results_for(const CommandLine& line, const std::vector<Job>& jobs, const
   return results_of(files, folder);
 }
 
+Baseline compared(const CommandLine& line, const Results& baseline, const Results& results) {
+  const std::string file = *line.report.baseline;
+  Baseline compared{file, compared_with(baseline, results, line.report.allow.value_or(usual_allowance))};
+  if (compared.comparison.changes.empty()) // a check that passes because nothing was checked is none
+    throw Failure(Exit::input_refused,
+                  file +
+                      " has nothing to compare these results with: no figure of the same scene, rig, size, "
+                      "seed and settings with its samples");
+  return compared;
+}
+
 void say_what_changed(const CommandLine& line, const Baseline& baseline, Console& console) {
   const BaselineComparison& comparison = baseline.comparison;
   console.out << (line.json ? comparison_json(comparison).dump(2) + "\n" : comparison_text(comparison));
-  if (comparison.changes.empty()) // a check that passes because nothing was checked is none
-    throw Failure(Exit::input_refused,
-                  baseline.file + " has nothing to compare these results with: no figure of the same "
-                                  "scene, rig, size, seed and settings with its samples");
   if (const size_t count = regressions(comparison); count > 0) {
     console.out.flush();
     throw Failure(Exit::failed, std::to_string(count) + (count == 1 ? " figure is" : " figures are") +
@@ -111,9 +118,7 @@ void report(const CommandLine& line, Console& console) {
     return find_picture(folder, file, side);
   };
   PageNotes notes = report_notes(results);
-  if (baseline)
-    notes.baseline = {*line.report.baseline,
-                      compared_with(*baseline, results, line.report.allow.value_or(usual_allowance))};
+  if (baseline) notes.baseline = compared(line, *baseline, results);
   const std::string page = report_page(results, find, notes); // throws where a picture is broken
   write_file(folder / "results.json", bytes_of(results_json(results).dump(1) + "\n"));
   write_file(folder / "results.csv", bytes_of(results_csv(results)));

@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "app/measure/bootstrap.h"
+#include "app/measure/report/html.h"
 #include "app/measure/report/paper_tables.h"
 #include "app/table.h"
 
@@ -33,10 +34,10 @@ const MeasuredMode* row_of(const Measured& m, std::string_view mode) {
 
 std::string percent(double share) { return fixed(100 * std::abs(share), 1) + "%"; }
 
-/// "-4.9% to -4.1%" as a size.
+/// Of what is less: "4.1 to 4.9%".
 std::string interval(const RelativeChange& change) {
-  const auto part = [](double share) { return fixed(100 * share, 1); };
-  return part(change.low) + " to " + part(change.high) + "%";
+  const auto part = [](double share) { return fixed(-100 * share, 1); };
+  return part(change.high) + " to " + part(change.low) + "%";
 }
 
 /// How both stand in the paper's tables of other scenes.
@@ -99,12 +100,17 @@ using Explained = std::set<std::tuple<const char*, std::string_view, std::string
 
 void explain(const Measured& m, const PaperTable& table, const Column& column, Explained& done,
              PageNotes& notes) {
+  // as the table shows them: what reads alike has no order, and times are ratios to the first
+  const auto ours_of = [&](const PaperRow& row) {
+    const MeasuredMode* here = row_of(m, row.mode);
+    return here != nullptr && here->figures.contains(column.figure) ? here->figures.at(column.figure) : NAN;
+  };
+  const PaperRow& first = table.rows.front();
+  const bool ratios = column.theirs == &PaperRow::ms;
   std::vector<double> theirs, ours;
   for (const PaperRow& row : table.rows) {
-    const MeasuredMode* here = row_of(m, row.mode);
-    theirs.push_back(row.*(column.theirs));
-    ours.push_back(here != nullptr && here->figures.contains(column.figure) ? here->figures.at(column.figure)
-                                                                            : NAN);
+    theirs.push_back(as_read(row.*(column.theirs) / (ratios ? first.ms : 1), column.decimals));
+    ours.push_back(as_read(ours_of(row) / (ratios ? ours_of(first) : 1), column.decimals));
   }
   for (const auto& [a, b] : compare_orders(theirs, ours).unlike) {
     const PaperRow &less = table.rows[ours[a] < ours[b] ? a : b],

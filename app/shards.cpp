@@ -60,6 +60,13 @@ Results read_part(const fs::path& file, const fs::path& seen_from) {
   return part;
 }
 
+fs::directory_iterator entries_of(const fs::path& folder) {
+  std::error_code error;
+  fs::directory_iterator entries(folder, error);
+  if (error) throw Failure(Exit::input_refused, "cannot read " + folder.string() + ": " + error.message());
+  return entries;
+}
+
 /// Those named, and those in folders that are named; not the one that is to be written.
 std::vector<fs::path> files_of(const std::vector<std::string>& names, const std::string& output) {
   std::vector<fs::path> files;
@@ -68,7 +75,7 @@ std::vector<fs::path> files_of(const std::vector<std::string>& names, const std:
     if (!fs::is_directory(name, error))
       files.emplace_back(name);
     else
-      for (const auto& entry : fs::directory_iterator(name))
+      for (const auto& entry : entries_of(name))
         if (entry.path().extension() == ".json" && !fs::equivalent(entry.path(), output, error))
           files.push_back(entry.path());
   return files;
@@ -84,6 +91,8 @@ Results joined_results(const std::vector<fs::path>& files, const fs::path& seen_
       results.protocol = "custom";
     std::ranges::move(part.scenes, std::back_inserter(results.scenes));
   }
+  if (results.scenes.empty())
+    throw Failure(Exit::input_refused, "there is no measurement in " + files.front().string());
   results.scenes = merged(std::move(results.scenes));
   return results;
 }

@@ -88,6 +88,7 @@ void read_size(const std::string& size, Measured& m) {
 }
 
 Measured read_measured(const json& object) {
+  if (!object.is_object()) throw std::invalid_argument("it is no object");
   Measured m{.version = object.at("version"),
              .build = object.at("build"),
              .device = object.at("device"),

@@ -49,7 +49,11 @@ std::string cell(double value, int decimals, const std::vector<double>& column) 
 }
 
 std::string verdict(const PaperTable& table, const Compared& column) {
-  const OrderComparison order = compare_orders(column.theirs, column.ours);
+  const auto as_shown = [&](std::vector<double> values) { // what reads alike has no order
+    for (double& value : values) value = as_read(value, column.decimals);
+    return values;
+  };
+  const OrderComparison order = compare_orders(as_shown(column.theirs), as_shown(column.ours));
   if (order.pairs == 0) return {};
   std::string text = "<li><strong>" + std::string(column.head) + "</strong>: " + std::to_string(order.alike) +
                      " of " + std::to_string(order.pairs) + " pairs are in the same order";

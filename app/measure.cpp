@@ -40,16 +40,11 @@ std::string text_of(const Convergence& convergence, std::string_view kind) {
       if (curve.kind == kind) cells.push_back(fixed(curve.error[i], 4));
     table.add(cells);
   }
-  return "\nError after so many frames at rest, a " + std::string(kind) + " a column\n" + table.text();
+  return "Error after so many frames at rest, a " + std::string(kind) + " a column\n" + table.text();
 }
 
 std::string text_of(const Measured& measured) {
   const std::vector<FigureKind> columns = columns_of(measured);
-  std::string convergence;
-  if (measured.convergence)
-    for (const char* kind : {"mode", "jitter"}) convergence += text_of(*measured.convergence, kind);
-  if (columns.empty())
-    return convergence.substr(std::min<size_t>(convergence.size(), 1)); // no line before it
   std::vector<std::string> heads = {"mode"};
   for (const FigureKind& kind : columns) heads.emplace_back(kind.label);
   Table table(heads);
@@ -61,7 +56,12 @@ std::string text_of(const Measured& measured) {
     }
     table.add(cells);
   }
-  return table.text() + convergence;
+  std::string text = columns.empty() ? "" : table.text();
+  if (measured.convergence)
+    for (const char* kind : {"mode", "jitter"})
+      if (const std::string curves = text_of(*measured.convergence, kind); !curves.empty())
+        text += (text.empty() ? "" : "\n") + curves;
+  return text;
 }
 
 void say_what_is_missing(const MeasurePlan& plan, const Measured& measured, Console& console) {

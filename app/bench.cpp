@@ -28,12 +28,14 @@ nlohmann::json json_of(const std::string& mode, const ModeTimes& row) {
           {"resolve_ms", quantile(row.resolve_ms, 0.5)},
           {"over_copy", median_of(row.over_copy)},
           {"over_naive", median_of(row.over_naive)},
-          {"over_no_rejection", median_of(row.over_no_rejection)}};
+          {"over_no_rejection", median_of(row.over_no_rejection)},
+          {"over_plain_store", median_of(row.over_plain_store)}};
 }
 
 /// Into the object, and as a table.
 Table add_rows(const Shot& shot, const RunTimes& times, nlohmann::json& object) {
-  Table table{{"mode", "adds ms", "5%", "95%", "resolve ms", "over copy", "over naive", "over no rejection"}};
+  Table table{{"mode", "adds ms", "5%", "95%", "resolve ms", "over copy", "over naive", "over no rejection",
+               "over plain store"}};
   for (size_t mode = 0; mode < shot.modes.size(); ++mode) {
     const std::string& mode_name = shot.modes[mode].name;
     const nlohmann::json row = object["rows"].emplace_back(json_of(mode_name, times.modes[mode]));
@@ -41,7 +43,8 @@ Table add_rows(const Shot& shot, const RunTimes& times, nlohmann::json& object) 
       return row.at(name).is_null() ? "-" : fixed(row.at(name).get<double>(), digits);
     };
     table.add({mode_name, cell("ms", 2), cell("p05", 2), cell("p95", 2), cell("resolve_ms", 2),
-               cell("over_copy", 2), cell("over_naive", 3), cell("over_no_rejection", 3)});
+               cell("over_copy", 2), cell("over_naive", 3), cell("over_no_rejection", 3),
+               cell("over_plain_store", 3)});
   }
   return table;
 }
@@ -57,16 +60,16 @@ void add_sharing(const Shot& shot, Headless& headless, nlohmann::json& object) {
 void bench(const CommandLine& line, Console& console) {
   const Shot shot = shot_from(line);
   for (const ModeRun& run : shot.modes)
-    if (run.taa.resolver != Resolver::fast)
-      throw SettingError("bench times both resolvers; resolver is not for it");
+    if (run.taa.resolver != Resolver::fast || run.taa.store != Store::dithered)
+      throw SettingError("bench times both resolvers and stores; resolver and store are not for it");
   const uint32_t rounds = line.rounds.value_or(protocols().front().rounds);
   Headless headless(line, shot, console);
   RunTimes times;
   {
-    Progress progress(console, timed_work(shot.modes, rounds));
+    Progress progress(console, timed_work(shot.modes, rounds, true));
     progress.name(shot.rig);
     const Film film = headless.film([&](double work) { progress.step(work); });
-    times = time_modes(film, shot.modes, rounds);
+    times = time_modes(film, shot.modes, rounds, true);
   }
   nlohmann::json object = headless.facts();
   object["size"] = text_of(shot.size), object["rounds"] = rounds, object["rig"] = shot.rig;

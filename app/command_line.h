@@ -42,9 +42,16 @@ struct MeasureWords {
 /// What `report` is told.
 struct ReportWords {
   bool quick = false, full = false;
-  std::vector<std::string> from; // measurements, in place of measuring
-  std::optional<std::string> baseline;
-  std::optional<double> allow; // share by which a figure may be worse
+  std::vector<std::string> from;                  // measurements, in place of measuring
+  std::optional<std::string> baseline, stability; // files
+  std::optional<double> allow;                    // share by which a figure may be worse
+};
+
+/// What `stability` is told.
+struct StabilityWords {
+  std::vector<std::string> cases; // none: all
+  bool brief = false, long_run = false;
+  std::optional<uint64_t> trial; // of what is by chance
 };
 
 /// What `sweep`, `job` and `merge` are told.
@@ -77,6 +84,7 @@ struct CommandLine {
   FlipWords flip;
   SweepWords sweep;
   ReportWords report;
+  StabilityWords stability;
 };
 
 /// The words were wrong; `what()` says which, and the nearest known one.

@@ -12,6 +12,8 @@ std::span<const CommandRow> commands() {
        drawing | many_modes | figures | figures_out, measure},
       {"report", "Measure everything there is and write one page of it",
        drawing | many_modes | timed | report_choice, report},
+      {"stability", "Put every mode through stiff and extreme cases; exit 1 where a bound is broken",
+       many_modes | endurance | figures_out | device, stability},
       {"bench", "Say in milliseconds and ratios what each mode adds to a frame",
        drawing | many_modes | timed | rounds_only, bench},
       {"flip", "Say how different two pictures look (FLIP), and draw where", two_pictures | picture,

@@ -39,6 +39,7 @@ enum CommandOptions : unsigned {
   sweep_plan = 1u << 14,
   job_list = 1u << 15, // and which line of it
   shard_list = 1u << 16,
+  endurance = 1u << 17, // which cases of stability, and for how long
 };
 
 struct CommandRow {
@@ -57,6 +58,7 @@ void flip_command(const CommandLine& line, Console& console);
 void sweep(const CommandLine& line, Console& console);
 void job(const CommandLine& line, Console& console);
 void report(const CommandLine& line, Console& console);
+void stability(const CommandLine& line, Console& console);
 void merge(const CommandLine& line, Console& console);
 void bench(const CommandLine& line, Console& console);
 void list_modes(const CommandLine& line, Console& console);

@@ -36,12 +36,29 @@ void add_report(CLI::App& app, CommandLine& line) {
   app.add_option("--from", line.report.from,
                  "Measurements, files or folders, of which the page is written; nothing is measured")
       ->check(no_option);
+  app.add_option("--stability", line.report.stability,
+                 "What `unghost stability -o` wrote: the page then has that table, too")
+      ->check(no_option);
   app.add_option("--baseline", line.report.baseline, "An older results.json: what is better, worse, or noise")
       ->check(no_option);
   add_number(app, "--allow", line.report.allow, 0, 100,
              "The share by which a figure may be worse than in the baseline (default " +
                  fixed(usual_allowance, 2) + ")");
   app.add_option("-o,--output", line.output, "The folder of the page; made where it is not there");
+}
+
+void add_stability(CLI::App& app, CommandLine& line) {
+  StabilityWords& stability = line.stability;
+  app.add_option("--case", stability.cases, "Which cases, with commas (default all)")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->check(no_option);
+  app.add_flag("--brief,!--no-brief", stability.brief, "As the tests run it: less of what takes long");
+  app.add_flag("--long,!--no-long", stability.long_run, "100,000 frames of what has 5,000 or 10,000");
+  app.add_option("--trial", stability.trial, "Of what is by chance, this one alone");
+  app.add_option_function<std::string>(
+      "--seed", [&line](const std::string& text) { line.seed = seed_of(text); },
+      "Of what is by chance (default 1)");
 }
 
 void add_sweep(CLI::App& app, const CommandRow& row, CommandLine& line) {
@@ -73,6 +90,7 @@ void add_measuring(CLI::App& app, const CommandRow& row, CommandLine& line) {
   if (row.options & figures_out)
     app.add_option("-o,--output", line.output, "A .json file for all figures; - is standard output");
   if (row.options & report_choice) add_report(app, line);
+  if (row.options & endurance) add_stability(app, line);
   add_sweep(app, row, line);
 }
 

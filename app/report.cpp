@@ -109,6 +109,9 @@ void report(const CommandLine& line, Console& console) {
   std::optional<Results> baseline; // before the work, which may write over it
   if (line.report.baseline)
     baseline = results_from_json(read_json(*line.report.baseline), *line.report.baseline);
+  std::optional<StabilityTable> stability;
+  if (line.report.stability)
+    stability = stability_from_json(read_json(*line.report.stability), *line.report.stability);
   const std::vector<Job> jobs = line.report.from.empty() ? report_jobs(line) : std::vector<Job>{};
   make_folder(folder);
   const Results results = results_for(line, jobs, fs::absolute(folder).lexically_normal(), console);
@@ -118,6 +121,7 @@ void report(const CommandLine& line, Console& console) {
     return find_picture(folder, file, side);
   };
   PageNotes notes = report_notes(results);
+  notes.stability = std::move(stability);
   if (baseline) notes.baseline = compared(line, *baseline, results);
   const std::string page = report_page(results, find, notes); // throws where a picture is broken
   write_file(folder / "results.json", bytes_of(results_json(results).dump(1) + "\n"));

@@ -97,6 +97,7 @@ std::span<const Setting> settings_table() {
     taa<&Taa::mip_bias>({"mip-bias", "levels", "Takes sharper levels of textures.", gdk, -2, 0}),
     taa<&Taa::texture_jitter>({"texture-jitter", "", "Whether textures move with the jitter.", trail, 0, 0, jitters}),
     taa<&Taa::resolver>({"resolver", "", "The fast implementation, or the plain one that it is measured by.", "", 0, 0, keeps_history}),
+    taa<&Taa::store>({"store", "", "Dithered to half floats, or left to the device: what that costs, and what drifts without it.", "Roberts 2018", 0, 0, keeps_history}),
     light<&Light::sun_azimuth_deg>({"sun-azimuth", deg, "Where the sun stands, added to the rig's azimuth.", "", -360, 360}),
     light<&Light::sun_elevation_deg>({"sun-elevation", deg, "The sun's height over the horizon.", "", 3, 90}),
     light<&Light::sun_illuminance>({"sun", "", "Sunlight, as a share of a clear noon's.", "", 0, 100}),

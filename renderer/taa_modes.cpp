@@ -56,7 +56,8 @@ constexpr std::string_view gdk_sample = "GDK sample", dop_paper = "Ikkala et al.
 constexpr TaaMode rows[] = {
     {"off", "The frame as it is drawn: no jitter, no history, every edge aliased.", "", {}},
     {"blend",
-     "Exponential average of reprojected frames and nothing against ghosts: what every other mode must beat.",
+     "Exponential average of reprojected frames and nothing against ghosts, which last as long as it "
+     "remembers: what every other mode must beat.",
      "GDK sample, clamping off",
      {.policy = accumulate}},
     {"gdk-clamp",

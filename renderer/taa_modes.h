@@ -22,6 +22,7 @@ enum class Axes : uint32_t { TAA_AXES(UNGHOST_ENUMERATOR) };
 enum class Reject : uint32_t { nothing = 0, TAA_REJECT(UNGHOST_ENUMERATOR) };
 enum class Blend : uint32_t { TAA_BLEND(UNGHOST_ENUMERATOR) };
 enum class Keeps : uint32_t { TAA_KEEPS(UNGHOST_ENUMERATOR) };
+enum class Store : uint32_t { TAA_STORE(UNGHOST_ENUMERATOR) };
 enum class TextureJitter : uint32_t { TAA_TEXTURE_JITTER(UNGHOST_ENUMERATOR) };
 enum class Resolver : uint32_t { TAA_RESOLVER(UNGHOST_ENUMERATOR) };
 #undef UNGHOST_ENUMERATOR
@@ -91,6 +92,7 @@ struct TaaSettings {
   float mip_bias = 0.0f;    // of the textures of what is drawn, -2 to 0
   TextureJitter texture_jitter = TextureJitter::kept;
   Resolver resolver = Resolver::fast;
+  Store store = Store::dithered;
 
   bool operator==(const TaaSettings&) const = default;
 };

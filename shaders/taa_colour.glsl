@@ -4,7 +4,7 @@
 
 #include "taa_inputs.glsl"
 
-const float log_of_black = -10;  // keeps 0 out of the logarithm
+const float log_offset = 4.54e-5;  // keeps 0 out of the logarithm, and comes off again: black stays black
 
 vec3 ycocg_from_rgb(vec3 c) {
   return vec3(dot(c, vec3(0.25, 0.5, 0.25)), dot(c, vec3(0.5, 0, -0.5)), dot(c, vec3(-0.25, 0.5, -0.25)));
@@ -15,7 +15,7 @@ vec3 rgb_from_ycocg(vec3 c) { return vec3(c.x + c.y - c.z, c.x + c.z, c.x - c.y 
 vec3 weighted(vec3 colour) {
   switch (weighting) {
   case weighting_inverse_luminance: return colour / (1 + luminance(colour));
-  case weighting_log: return max(log(max(colour, vec3(1e-30))), vec3(log_of_black));
+  case weighting_log: return log(max(colour, vec3(0)) + log_offset);
   default: return colour;
   }
 }
@@ -25,7 +25,7 @@ vec3 unweighted(vec3 colour) {
     vec3 positive = max(colour, vec3(0));
     return positive / max(1 - luminance(positive), 1e-5);
   }
-  case weighting_log: return exp(colour);
+  case weighting_log: return max(exp(colour) - log_offset, vec3(0));
   default: return max(colour, vec3(0));
   }
 }

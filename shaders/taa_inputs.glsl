@@ -19,6 +19,7 @@ layout(constant_id = TAA_KEEPS_ID) const uint keeps = 0;
 layout(constant_id = TAA_HAS_HISTORY_ID) const bool has_history = false;
 layout(constant_id = TAA_READS_TAGS_ID) const bool reads_tags = false;
 layout(constant_id = TAA_WRITES_ID) const uint writes = 0;
+layout(constant_id = TAA_STORE_ID) const uint store = 0;
 
 bool rejects(uint test) { return (reject & test) != 0; }
 bool writes_to(uint what) { return (writes & what) != 0; }

@@ -146,6 +146,18 @@ float blend_weight(float count, float rectified) {
   }
 }
 
+/// Of the history as it is bounded in the working space, and of a colour with this weight.
+vec3 average(Reprojected r, vec3 bounded, vec3 colour, float weight) {
+  if (weighting != weighting_inverse_luminance) return from_working(mix(bounded, to_working(colour), weight));
+  // The same average by its weights: 1 - L of a mean of c / (1 + L) has lost all but a few bits where L is large. A history
+  // that its volume left alone is what was read, for the same reason.
+  const float resolution = 2e-7;
+  bool kept = all(lessThanEqual(abs(bounded - to_working(r.found)), vec3(resolution)));
+  vec3 history = kept ? r.found : from_working(bounded);
+  float a = weight / (1 + luminance(colour)), b = (1 - weight) / (1 + luminance(history));
+  return (a * colour + b * history) / (a + b);
+}
+
 /// `bounded` is the history in the working space after rectification, `moved` how far it was moved.
 Resolve resolve(Reprojected r, Rejection j, vec3 centre, vec3 blurred, vec3 bounded, float moved) {
   Resolve result = without_history(centre);
@@ -159,28 +171,33 @@ Resolve resolve(Reprojected r, Rejection j, vec3 centre, vec3 blurred, vec3 boun
   if (j.whole) return result;
   float weight = mix(blend_weight(r.count, moved), 1, j.share);
   vec3 colour = needs_blurred() ? mix(centre, blurred, j.share) : centre;
-  result.colour = weight >= 1 ? colour : from_working(mix(bounded, to_working(colour), weight));
+  result.colour = weight >= 1 ? colour : average(r, bounded, colour, weight);
   if (rejects(reject_velocity)) result.colour = mix(result.colour, blurred, j.drawn);
   result.weight = mix(weight, 1, j.drawn);
   result.count = result.weight >= 1 ? 1 : min(r.count + 1, keeps == keeps_input ? 2 : 1024);
   return result;
 }
 
-/// A half float next to the colour, up or down in turns that are proportional to how near it is; a half float stays
-/// itself. Rounded to the nearest, an average stops as soon as its step is less than half a unit: 2.5% short at a weight
-/// of .02. The turns are a sequence of the golden ratio a pixel (a set of low discrepancy: Roberts 2018), whose mean over
-/// time is nearer to the colour than that of chance.
+/// A half float next to the colour, up or down in turns that are proportional to how near it is. Rounded to the nearest, an
+/// average stops as soon as its step is less than half a unit: 2.5% short at a weight of .02; cut off, as a software device
+/// stores it, it drifts down. The turns are a sequence of the golden ratio a pixel (a set of low discrepancy: Roberts 2018),
+/// whose mean over time is nearer to the colour than that of chance. None is so near to either end that what arithmetic
+/// leaves beside a half float would take it away: a history that stays, stays as it is to the bit.
 vec3 rounded(vec3 colour, ivec2 pixel) {
+  const uint unit = 8192, arithmetic = 16;  // of a float's significand: of a half float, and that may be wrong
   uint seed = uint(pixel.x) * 3242174889u + uint(pixel.y) * 2447445413u + push.frame * 2654435769u;
-  uvec3 turn = (uvec3(seed) + uvec3(0, 1431655765u, 2863311530u)) >> 19;  // 13 bits: what a half float lacks
+  uvec3 turn = (uvec3(seed) + uvec3(0, 1431655765u, 2863311530u)) >> 19;
   uvec3 bits = floatBitsToUint(clamp(colour, vec3(0), vec3(65504)));
-  return min(uintBitsToFloat((bits + turn) & ~uvec3(0x1fff)), vec3(65504));
+  return uintBitsToFloat((bits + clamp(turn, arithmetic, unit - arithmetic)) & ~(unit - 1));
+}
+vec3 stored(vec3 colour, ivec2 pixel) {
+  return store == store_dithered ? rounded(colour, pixel) : clamp(colour, vec3(0), vec3(65504));
 }
 
 /// Writes all that is asked for. The tag goes with the history, and costs no image of its own.
 void write_pixel(ivec2 pixel, Speaker speaker, vec3 centre, Resolve r) {
   float tag = tests_tags() ? speaker.tag : 0;
-  imageStore(colour_out, pixel, vec4(rounded(r.colour, pixel), tag));
+  imageStore(colour_out, pixel, vec4(stored(r.colour, pixel), tag));
   if (keeps == keeps_input) imageStore(input_out, pixel, vec4(min(centre, vec3(65504)), tag));
   if (writes_to(TAA_WRITES_COUNT)) imageStore(count_out, pixel, vec4(r.count));
   if (writes_to(TAA_WRITES_MOTION)) imageStore(motion_out, pixel, vec4(motion_at(speaker.at), 0, 0));

@@ -3,8 +3,6 @@
 #ifndef UNGHOST_TAA_RECTIFY_GLSL
 #define UNGHOST_TAA_RECTIFY_GLSL
 
-const float widening = 1e-5;  // of every extent that is clipped against: the current colour may lie on it
-
 /// Mean and sum of squares about it of a row of three; and mean, and gamma standard deviations, of three such rows. Exact
 /// where sums of squares about another place would cancel (Chan, Golub and LeVeque 1979). Both resolves take them this
 /// way: on grey asphalt the chroma of a neighbourhood hardly differs, and what a clip leaves depends on every bit of it.
@@ -20,7 +18,7 @@ const float widening = 1e-5;  // of every extent that is clipped against: the cu
 /// How far along `from` to `to` the slab `low` to `high` reaches; `from` lies in it. Infinite where they are one.
 float slab_share(float low, float high, float from, float to) {
   float d = to - from;
-  return (widening + (d > 0 ? high - from : from - low)) / abs(d);
+  return ((d > 0 ? high - from : from - low) + 1e-30) / abs(d);
 }
 
 vec3 on_segment(vec3 centre, vec3 history, float share) {

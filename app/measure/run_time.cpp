@@ -16,7 +16,7 @@ constexpr uint32_t rounds_of_others = 61; // beside the modes as they are: enoug
 using Times = std::map<std::string, std::vector<double>>;
 
 const std::string resolve = "taa ", sharpening = "sharpen ", naively = " naively",
-                  no_rejection = " without rejection";
+                  no_rejection = " without rejection", plain_store = " as the device stores";
 
 bool tests_history(const ModeRun& run) {
   return (uint32_t(run.taa.policy.reject) & ~uint32_t(Reject::off_screen)) != 0;
@@ -33,14 +33,17 @@ std::vector<ModeRun> as_they_are(const std::vector<ModeRun>& modes) {
 }
 
 /// Behind them, so that they keep their places and their histories when these are no longer drawn: each by
-/// the naive resolve and, where it has tests, without them.
-std::vector<ModeRun> with_others(std::vector<ModeRun> runs) {
+/// the naive resolve and, where it has tests, without them; and for `stores` without its dithering.
+std::vector<ModeRun> with_others(std::vector<ModeRun> runs, bool stores) {
   for (size_t mode = 0, count = runs.size(); mode < count; ++mode) {
     if (!runs[mode].taa.policy.needs_history()) continue;
     ModeRun naive = runs[mode];
     naive.name += naively, naive.taa.resolver = Resolver::naive;
     ModeRun plain = runs[mode];
     plain.name += no_rejection, plain.taa.policy.reject = Reject::off_screen;
+    ModeRun cut = runs[mode];
+    cut.name += plain_store, cut.taa.store = Store::plain;
+    if (stores) runs.push_back(std::move(cut));
     runs.push_back(std::move(naive));
     if (tests_history(runs[mode])) runs.push_back(std::move(plain));
   }
@@ -69,6 +72,7 @@ ModeTimes times_of(const ModeRun& run, Times& times) {
     mode.resolve_ms = times[resolve + run.name];
     mode.over_copy = ratio(mode.resolve_ms, times["copy"]);
     mode.over_naive = ratio(mode.resolve_ms, times[resolve + run.name + naively]);
+    mode.over_plain_store = ratio(mode.resolve_ms, times[resolve + run.name + plain_store]);
     mode.over_no_rejection = ratio(mode.resolve_ms, times[resolve + run.name + no_rejection]);
     mode.added_ms = sum(sum(mode.resolve_ms, times["motion"]), mode.added_ms);
   }
@@ -111,15 +115,15 @@ Sharing time_sharing(const Film& film, const std::vector<ModeRun>& modes, uint32
   return {.together_ms = quantile(together, 0.5), .alone_ms = quantile(alone, 0.5)};
 }
 
-double timed_work(const std::vector<ModeRun>& modes, uint32_t rounds) {
+double timed_work(const std::vector<ModeRun>& modes, uint32_t rounds, bool stores) {
   FrameInput few, all;
-  few.modes = as_they_are(modes), all.modes = with_others(few.modes);
+  few.modes = as_they_are(modes), all.modes = with_others(few.modes, stores);
   const uint32_t with = warm_up_frames + std::min(rounds, rounds_of_others);
   return with * work_of(all) + (warm_up_frames + rounds - with) * work_of(few);
 }
 
-RunTimes time_modes(const Film& film, const std::vector<ModeRun>& modes, uint32_t rounds) {
-  const std::vector<ModeRun> few = as_they_are(modes), all = with_others(few);
+RunTimes time_modes(const Film& film, const std::vector<ModeRun>& modes, uint32_t rounds, bool stores) {
+  const std::vector<ModeRun> few = as_they_are(modes), all = with_others(few, stores);
   Times times;
   for (uint32_t frame = 0; frame < warm_up_frames + rounds; ++frame) {
     FrameInput input = film.at(frame);

@@ -13,6 +13,7 @@ struct ModeTimes {
   std::vector<double> added_ms, resolve_ms; // of all passes that `off` has not, and of the resolve alone
   std::vector<double> added_over_copy;      // of all of it
   std::vector<double> over_copy, over_naive, over_no_rejection; // of the resolve
+  std::vector<double> over_plain_store;                         // of the resolve, where it was asked for
 };
 struct RunTimes {
   std::vector<ModeTimes> modes;
@@ -21,8 +22,10 @@ struct RunTimes {
 };
 
 /// Draws `rounds` frames of the rig after some that warm up. Naive resolves and rows without their rejection
-/// are drawn in the first of them only. No mode may have a jitter.
-RunTimes time_modes(const Film& film, const std::vector<ModeRun>& modes, uint32_t rounds);
+/// are drawn in the first of them only, as are rows that leave their store to the device, for `stores`. No
+/// mode may have a jitter.
+RunTimes time_modes(const Film& film, const std::vector<ModeRun>& modes, uint32_t rounds,
+                    bool stores = false);
 /// Times of all passes of a frame, ms, medians of rounds: of one frame with all modes, and of frames of one
 /// mode each, in sum. Each is the second of two frames, so that histories are there.
 struct Sharing {
@@ -31,6 +34,6 @@ struct Sharing {
 Sharing time_sharing(const Film& film, const std::vector<ModeRun>& modes, uint32_t rounds);
 
 /// What all its frames take, as work_of(FrameInput) counts.
-double timed_work(const std::vector<ModeRun>& modes, uint32_t rounds);
+double timed_work(const std::vector<ModeRun>& modes, uint32_t rounds, bool stores = false);
 
 } // namespace unghost

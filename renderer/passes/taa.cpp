@@ -152,8 +152,9 @@ std::vector<Binding> bindings_of(FrameGraph& graph, const FrameContext& in, cons
 }
 
 /// In the order of the TAA_..._ID constants.
-std::vector<Constant> constants_of(const FrameContext& in, const TaaPolicy& policy, const Kept& kept,
+std::vector<Constant> constants_of(const FrameContext& in, const TaaSettings& taa, const Kept& kept,
                                    const Resolved& resolved) {
+  const TaaPolicy& policy = taa.policy;
   const bool reads_tags = policy.needs_tags() && in.scene.traits.tagged;
   return {uint32_t(policy.dilation),
           uint32_t(filter_for(in, policy.history)),
@@ -167,7 +168,8 @@ std::vector<Constant> constants_of(const FrameContext& in, const TaaPolicy& poli
           uint32_t(policy.keeps),
           uint32_t(kept.valid),
           uint32_t(reads_tags),
-          {kept.writes, {{resolved.why, TAA_WRITES_WHY}, {resolved.history, TAA_WRITES_HISTORY}}}};
+          {kept.writes, {{resolved.why, TAA_WRITES_WHY}, {resolved.history, TAA_WRITES_HISTORY}}},
+          uint32_t(taa.store)};
 }
 
 } // namespace
@@ -188,7 +190,7 @@ Resolved resolve_taa(FrameGraph& graph, const FrameContext& in, const TaaInputs&
   const bool fast = taa.resolver == Resolver::fast;
   graph.compute({.name = "taa " + in.modes[place].name,
                  .shader = fast ? "taa.comp" : "taa_naive.comp",
-                 .constants = constants_of(in, taa.policy, kept, resolved),
+                 .constants = constants_of(in, taa, kept, resolved),
                  .bindings = bindings_of(graph, in, inputs, taa, kept, resolved),
                  .push = {bytes.begin(), bytes.end()},
                  .cover = in.size,

@@ -28,6 +28,7 @@
   X(reject, motion_length, 16) X(reject, speed, 32) X(reject, depth, 64) X(reject, object, 128)
 #define TAA_BLEND(X) X(blend, current, 0) X(blend, constant, 1) X(blend, counting, 2) X(blend, attenuated, 3)
 #define TAA_KEEPS(X) X(keeps, result, 0) X(keeps, input, 1)
+#define TAA_STORE(X) X(store, dithered, 0) X(store, plain, 1)
 // of the textures of what is drawn; and which implementation resolves
 #define TAA_TEXTURE_JITTER(X) X(texture_jitter, kept, 0) X(texture_jitter, removed, 1)
 #define TAA_RESOLVER(X) X(resolver, fast, 0) X(resolver, naive, 1)
@@ -44,6 +45,7 @@ TAA_AXES(TAA_CONSTANT)
 TAA_REJECT(TAA_CONSTANT)
 TAA_BLEND(TAA_CONSTANT)
 TAA_KEEPS(TAA_CONSTANT)
+TAA_STORE(TAA_CONSTANT)
 #endif
 
 SHARED_BEGIN
@@ -62,6 +64,7 @@ SHARED_CONSTANT TAA_KEEPS_ID = 9;
 SHARED_CONSTANT TAA_HAS_HISTORY_ID = 10; // without one the frame is taken as it is
 SHARED_CONSTANT TAA_READS_TAGS_ID = 11;
 SHARED_CONSTANT TAA_WRITES_ID = 12; // the TAA_WRITES_ bits
+SHARED_CONSTANT TAA_STORE_ID = 13;
 
 /// What a resolve writes beside its result.
 SHARED_CONSTANT TAA_WRITES_COUNT = 1;   // of the frames that a history holds

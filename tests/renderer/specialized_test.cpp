@@ -17,7 +17,7 @@ protected:
     bench.resolve(Inputs(), runs, true);
     if (!first_frame) bench.resolve(Inputs(), runs, false);
     std::vector<Specialized> results;
-    for (const Dispatched& pass : bench.dispatched())
+    for (const ResolveRun& pass : bench.ran())
       results.push_back(contents_of(bench.shader_file(pass.shader), pass.constants));
     return results;
   }

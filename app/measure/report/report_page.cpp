@@ -108,6 +108,7 @@ std::string body_of(const Results& all, const FindPicture& pictures, const PageN
          (notes.baseline ? baseline_section(*notes.baseline, looks) : "") + case_links(results) +
          (looks.empty() ? "" : key_of(looks)) + cases + "<section id=\"paper\"><h2>Beside the paper</h2>\n" +
          paper_section(results, notes) + "</section>\n" +
+         (notes.stability ? stability_section(*notes.stability, looks) : "") +
          "<section id=\"origin\"><h2>Device and settings</h2>\n" + origin_section(results) +
          "</section>\n</main>\n" + "<script type=\"application/json\" id=\"data\">" + script_json(data) +
          "</script>\n";

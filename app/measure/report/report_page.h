@@ -8,6 +8,7 @@
 
 #include "app/measure/baseline.h"
 #include "app/measure/results.h"
+#include "app/measure/stability_table.h"
 #include "renderer/scene/scene.h"
 
 namespace unghost {
@@ -24,6 +25,7 @@ struct PageNotes {
   std::vector<std::string>
       paragraphs; // measured explanations beside the comparison with the paper: plain text
   std::optional<Baseline> baseline;
+  std::optional<StabilityTable> stability;
 };
 
 /// UTF-8. The same bytes for the same data. What was not measured is not there.

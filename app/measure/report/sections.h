@@ -21,6 +21,8 @@ std::string summary_section(const Results& results, const Looks& looks);
 std::string fronts_table(const Measured& m, const Looks& looks);
 /// What has changed since other results.
 std::string baseline_section(const Baseline& baseline, const Looks& looks);
+/// Every mode in every stiff and extreme case.
+std::string stability_section(const StabilityTable& table, const Looks& looks);
 std::string modes_table(const Measured& m, const Looks& looks);
 std::string paper_section(const Results& results, const PageNotes& notes);
 /// Each mode's worst frame beside the aliased one; `id` is the case's.

@@ -1,0 +1,120 @@
+// Each guard of a shader against what is stiff or extreme, taken out: the case that it is there for must then
+// be over its bound. That all of them hold is for stability_test.cpp to show.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "app/files.h"
+#include "app/measure/stability/run.h"
+#include "app/paths.h"
+#include "tests/app/child.h"
+#include "tests/app/scratch_folder.h"
+
+namespace unghost {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// `line`, which stands once in `file`, becomes `instead`; then `row` is too much for `mode`.
+struct Guard {
+  const char *name, *file, *line, *instead, *entry, *row, *mode;
+};
+
+constexpr const char *resolve = "taa.comp", *pixel = "taa_pixel.glsl",
+                     *turn = "clamp(turn, arithmetic, unit - arithmetic)";
+constexpr Guard guards[] = {
+    {"what is no number ends at the door", "taa_inputs.glsl",
+     "return mix(max(colour, vec3(0)), vec3(0), bad);", "return colour;", resolve, "bad-colour", "blend"},
+    {"a history that is no number is none", pixel, "r.number = !(any(isnan(found)) || any(isinf(found)));",
+     "r.number = true;", resolve, "bad-history", "blend"},
+    {"what has no motion has no history", pixel,
+     "r.known = all(lessThan(abs(r.motion), vec2(MOTION_UNKNOWN / 2)));", "r.known = true;", resolve,
+     "lookup", "blend"},
+    {"what was off the picture is no history", pixel, "(r.inside || !rejects(reject_off_screen))", "true",
+     resolve, "lookup", "blend"},
+    {"a store does not round to one side", pixel, turn, "0", resolve, "constant", "blend"},
+    {"a history that stays is not rounded", pixel, turn, "turn", resolve, "flat", "holy-trail"},
+    {"weights by luminance, not 1 less of it", pixel, "if (weighting != weighting_inverse_luminance)",
+     "if (true)", resolve, "constant", "holy-trail"},
+    {"black comes back from the logarithm", "taa_colour.glsl", "max(exp(colour) - log_offset, vec3(0))",
+     "exp(colour)", resolve, "flat", "weighting=log"},
+    {"variance is taken about the mean", "taa_rectify.glsl",
+     "squares = (a - mean) * (a - mean) + (b - mean) * (b - mean) + (c - mean) * (c - mean)",
+     "squares = a * a + b * b + c * c - 3 * mean * mean", resolve, "flat", "gdk-variance"},
+    {"what rests and was behind the camera has no motion", "motion.comp", "if (along <= 0)", "if (false)",
+     "motion.comp", "motion", "blend"},
+    {"nor has what moves", "gbuffer.frag", "if (before.w <= 0)", "if (false)",
+     "gbuffer.frag.shading.emissive.motion.object", "motion", "blend"},
+};
+
+/// The compiled shaders, one of them without its guard.
+class WithoutGuard {
+public:
+  explicit WithoutGuard(const Guard& guard) {
+    const fs::path sources = folder_.path / "sources";
+    fs::copy(UNGHOST_SHADER_SOURCES, sources, fs::copy_options::recursive);
+    std::string text = content_of(sources / guard.file);
+    const std::string line = guard.line;
+    EXPECT_EQ(text.find(line, text.find(line) + 1), std::string::npos) << guard.line << " stands there twice";
+    if (text.find(line) == std::string::npos) throw std::runtime_error("no such line: " + line);
+    write_file(sources / guard.file, bytes_of(text.replace(text.find(line), line.size(), guard.instead)));
+    fs::create_directory(shaders());
+    const std::string changed = std::string(guard.entry) + ".spv";
+    for (const fs::directory_entry& entry : fs::directory_iterator(find_data_folders().shaders))
+      if (entry.path().filename() != changed)
+        fs::create_symlink(entry.path(), shaders() / entry.path().filename());
+    EXPECT_EQ(exit_of(compiler(guard.entry, sources, shaders() / changed)), 0);
+  }
+  fs::path shaders() const { return folder_.path / "shaders"; }
+
+private:
+  /// What an entry's name has behind its stage is what it writes.
+  static std::vector<std::string> compiler(const std::string& entry, const fs::path& sources,
+                                           const fs::path& out) {
+    std::vector<std::string> words = {UNGHOST_GLSLANG,         "-V", "--quiet",   "--target-env", "vulkan1.2",
+                                      "-I" + sources.string(), "-o", out.string()};
+    const size_t stage = entry.find('.') + 1;
+    size_t end = std::min(entry.find('.', stage), entry.size());
+    const std::string source = entry.substr(0, end);
+    while (end < entry.size()) {
+      const size_t next = std::min(entry.find('.', end + 1), entry.size());
+      std::string output = entry.substr(end + 1, next - end - 1);
+      std::ranges::transform(output, output.begin(), [](char c) { return char(std::toupper(c)); });
+      words.push_back("-DWRITES_" + output);
+      end = next;
+    }
+    words.push_back((sources / source).string());
+    return words;
+  }
+
+  ScratchFolder folder_;
+};
+
+template <class Rows> const auto& named(const Rows& rows, std::string_view name) {
+  return *std::ranges::find_if(rows, [&](const auto& row) { return row.name == name; });
+}
+
+StabilityCell outcome_of(const Guard& guard, const fs::path& shaders) {
+  const std::vector<ModeRun> modes = stability_modes();
+  const StabilityResult result = run_stability({.cases = {&named(stability_cases(), guard.row)},
+                                                .modes = {named(modes, guard.mode)},
+                                                .endurance = Endurance::brief,
+                                                .trial = {},
+                                                .device = {},
+                                                .shaders = shaders,
+                                                .asphalt = {},
+                                                .begins = {}});
+  return result.cells.at(0);
+}
+
+TEST(Guards, EachIsMissedWhereItIsTakenOut) {
+  for (const Guard& guard : guards) {
+    const WithoutGuard without(guard);
+    const StabilityCell cell = outcome_of(guard, without.shaders());
+    EXPECT_TRUE(cell.failed()) << guard.name << ": " << guard.mode << " in " << guard.row << " is still at "
+                               << cell.survived.figure << " (" << cell.survived.where << ")";
+  }
+}
+
+} // namespace
+} // namespace unghost

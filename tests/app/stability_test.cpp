@@ -1,0 +1,132 @@
+// The matrix of stiff and extreme cases in its brief form: every mode in every cell, under validation. And
+// the command that prints it.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include <nlohmann/json.hpp>
+
+#include "app/measure/stability/run.h"
+#include "app/paths.h"
+#include "tests/app/child.h"
+#include "tests/app/outcome.h"
+#include "tests/app/scratch_folder.h"
+
+namespace unghost {
+namespace {
+
+using nlohmann::json;
+
+/// Thousands of small frames, of which the validation layer would learn nothing new.
+constexpr const char* long_cases =
+    "constant,thousands,bad-colour,bad-motion,bad-depth,bad-history,flat,sun,lookup";
+constexpr const char* other_cases = "sizes,settings,cuts,events,chance,rest,motion";
+
+void expect_survived(const char* cases, const char* validation) {
+  const Outcome run = outcome({"stability", "--brief", "--json", "-q", "--case", cases, validation});
+  ASSERT_EQ(run.exit, 0) << run.err;
+  const json object = json::parse(run.out);
+  size_t figures = 0;
+  for (const StabilityCase& row : stability_cases())
+    if (std::ranges::find(object.at("cases"), row.name, [](const json& one) { return one.at("name"); }) !=
+        object.at("cases").end())
+      figures += row.takers == Takers::alone ? 1 : stability_modes().size();
+  EXPECT_EQ(object.at("cells").size(), figures);
+  for (const json& cell : object.at("cells")) {
+    EXPECT_TRUE(cell.at("pass")) << cell;
+    const bool within = cell.at("value").is_number() && cell.at("value") <= cell.at("bound");
+    EXPECT_TRUE(within || cell.contains("excuse")) << cell;
+  }
+}
+
+TEST(StabilityMatrix, EveryModeSurvivesWhatTakesLong) { expect_survived(long_cases, "--no-validate"); }
+
+TEST(StabilityFrames, EveryModeSurvivesWhateverIsDrawn) { expect_survived(other_cases, "--validate"); }
+
+TEST(StabilityCells, EveryCaseIsInOneOfTheTwo) {
+  const std::string both = std::string(long_cases) + "," + other_cases + ",";
+  for (const StabilityCase& row : stability_cases())
+    EXPECT_NE(both.find(std::string(row.name) + ","), std::string::npos) << row.name;
+}
+
+TEST(StabilityCells, AnExcuseHoldsAsFarAsItSays) {
+  const auto cell = [](const char* mode, double figure) {
+    for (const StabilityCase& row : stability_cases())
+      if (row.name == "events") return StabilityCell{.row = &row, .mode = mode, .survived = {figure, ""}};
+    return StabilityCell{};
+  };
+  EXPECT_TRUE(cell("rgb", 1).passed());
+  EXPECT_TRUE(cell("rgb", 2).failed());
+  EXPECT_FALSE(cell("blend", 8).passed());
+  EXPECT_FALSE(cell("blend", 8).failed()) << "it may ghost";
+  EXPECT_TRUE(cell("blend", INFINITY).failed()) << "but not spread what is no number";
+  EXPECT_TRUE(excuse_for("blend", "bad-colour") == nullptr);
+}
+
+TEST(StabilityCells, WhatIsNoNumberIsWorst) {
+  Survival survived;
+  worsen(survived, 1, "here");
+  worsen(survived, NAN, "there");
+  worsen(survived, 2, "elsewhere");
+  EXPECT_EQ(survived.where, "there");
+  EXPECT_GT(survived.figure, 1e300);
+}
+
+TEST(StabilityCells, EveryAnswerThatAResolveHasIsInSomeMode) {
+  const std::vector<ModeRun> modes = stability_modes();
+  for (const Setting& column : settings_table()) {
+    if (!column.per_mode || column.kind != SettingKind::choice || column.used.holds == nullptr) continue;
+    for (const Answer& answer : column.answers)
+      EXPECT_TRUE(std::ranges::any_of(modes,
+                                      [&](const ModeRun& run) {
+                                        Settings settings;
+                                        settings.taa = run.taa;
+                                        return uint32_t(column.read(settings)) == answer.value;
+                                      }))
+          << column.name << "=" << answer.name;
+  }
+}
+
+TEST(StabilityCommand, OneCellByNameAndTheSameAgain) {
+  const Words words = {"stability", "--brief", "--case", "chance", "--modes",
+                       "rgb",       "--trial", "7",      "--json", "-q"};
+  const Outcome first = outcome(words), second = outcome(words);
+  ASSERT_EQ(first.exit, 0) << first.err;
+  EXPECT_EQ(first.out, second.out);
+  const json object = json::parse(first.out);
+  ASSERT_EQ(object.at("cells").size(), 1u);
+  EXPECT_EQ(object["cells"][0].at("mode"), "rgb");
+  EXPECT_EQ(object["cells"][0].at("case"), "chance");
+}
+
+TEST(StabilityCommand, WordsThatCannotWork) {
+  EXPECT_EQ(outcome({"stability", "--brief", "--long"}).exit, 2);
+  const Outcome wrong = outcome({"stability", "--case", "constnat"});
+  EXPECT_EQ(wrong.exit, 2);
+  EXPECT_NE(wrong.err.find("did you mean 'constant'?"), std::string::npos) << wrong.err;
+  EXPECT_EQ(outcome({"stability", "--modes", "off"}).exit, 2) << "which keeps nothing that could break";
+}
+
+TEST(StabilityCommand, ItsFileBecomesATableOfTheReport) {
+  const ScratchFolder folder;
+  const std::string file = (folder.path / "stability.json").string(), out = (folder.path / "page").string();
+  ASSERT_EQ(
+      outcome({"stability", "--brief", "--case", "flat,rest", "--modes", "rgb,blend", "-q", "-o", file}).exit,
+      0);
+  const std::string results = (folder.path / "m.json").string();
+  ASSERT_EQ(outcome({"measure", "--size", "32x18", "--frames", "18", "--modes", "rgb", "--what", "ghosting",
+                     "-q", "-o", results})
+                .exit,
+            0);
+  const Outcome report = outcome({"report", "--from", results, "--stability", file, "-q", "-o", out});
+  ASSERT_EQ(report.exit, 0) << report.err;
+  const std::string page = content_of(folder.path / "page" / "index.html");
+  EXPECT_NE(page.find("id=\"stability\""), std::string::npos);
+  const std::string broken = folder.file("broken.json", "{\"cells\": []}").string();
+  const Outcome refused = outcome({"report", "--from", results, "--stability", broken, "-q", "-o", out});
+  EXPECT_EQ(refused.exit, 3);
+  EXPECT_NE(refused.err.find("broken.json holds no matrix"), std::string::npos) << refused.err;
+}
+
+} // namespace
+} // namespace unghost

@@ -1,5 +1,7 @@
 #include "app/exr_file.h"
 
+#include <new>
+
 #include <ImfChannelList.h>
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
@@ -34,6 +36,8 @@ std::vector<uint8_t> encode_exr(const std::vector<ExrChannel>& channels, const s
     }
     const std::string bytes = stream.str();
     return {bytes.begin(), bytes.end()};
+  } catch (const std::bad_alloc&) {
+    throw; // is told as such
   } catch (const std::exception& error) {
     throw Failure(Exit::failed, std::string("OpenEXR could not encode the images: ") + error.what());
   }

@@ -5,6 +5,7 @@
 #include <cstring>
 
 #include <fcntl.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -27,8 +28,55 @@ fs::path behind_links(const fs::path& path) {
 
 fs::path folder_of(const fs::path& path) { return path.has_parent_path() ? path.parent_path() : "."; }
 
-fs::path beside(const fs::path& path) {
-  return path.parent_path() / ("." + path.filename().string() + "." + std::to_string(getpid()) + ".part");
+constexpr int most_at_once = 64; // processes that write the same file
+
+fs::path beside(const fs::path& path, int number) {
+  return path.parent_path() / ("." + path.filename().string() + "." + std::to_string(number) + ".part");
+}
+
+bool lock(int descriptor) { return flock(descriptor, LOCK_EX | LOCK_NB) == 0; }
+
+bool is_named(int descriptor, const fs::path& name) {
+  struct stat opened {
+  }, named{};
+  return fstat(descriptor, &opened) == 0 && lstat(name.c_str(), &named) == 0 &&
+         opened.st_ino == named.st_ino && opened.st_dev == named.st_dev;
+}
+
+/// Removes what a process that was killed left under a passing name. False where that is somebody's who still
+/// writes: a lock ends with its process, on another machine, too.
+bool remove_if_left(const fs::path& name) {
+  const int left = open(name.c_str(), O_WRONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
+  if (left < 0) return errno == ENOENT;
+  const bool nobodys = lock(left) && is_named(left, name) && unlink(name.c_str()) == 0;
+  close(left);
+  return nobodys;
+}
+
+/// Tries the passing names of `path` until `take` could have one: it returns 0, or an error, of which EEXIST
+/// means that it is taken. Returns the name, or none and the error in errno.
+template <class Take> fs::path passing_name(const fs::path& path, const Take& take) {
+  for (int number = 0; number < most_at_once;) {
+    fs::path name = beside(path, number);
+    const int error = take(name);
+    if (error == 0) return name;
+    errno = error;
+    if (error != EEXIST) return {};
+    if (!remove_if_left(name)) ++number;
+  }
+  errno = EEXIST;
+  return {};
+}
+
+/// Opens a new file of this name, locked. Returns 0 or the error.
+int open_locked(const fs::path& name, int& descriptor) {
+  descriptor = open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
+  if (descriptor < 0) return errno;
+  lock(descriptor); // where files cannot be locked, what is left stays
+  if (is_named(descriptor, name)) return 0;
+  close(descriptor); // between the two it was taken for one that was left
+  descriptor = -1;
+  return EEXIST;
 }
 
 } // namespace
@@ -45,13 +93,10 @@ NewFile::NewFile(fs::path path) : path_(behind_links(path)) {
   }
   if (descriptor_ < 0 &&
       (errno == EOPNOTSUPP || errno == EISDIR)) { // files without a name are not known there
-    passing_name_ = beside(path_);
-    descriptor_ = open(passing_name_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_NOFOLLOW | O_CLOEXEC, 0666);
+    passing_name_ =
+        passing_name(path_, [this](const fs::path& name) { return open_locked(name, descriptor_); });
   }
-  if (descriptor_ < 0) {
-    passing_name_.clear();
-    fail(errno);
-  }
+  if (descriptor_ < 0) fail(errno);
 }
 
 NewFile::~NewFile() {
@@ -78,20 +123,17 @@ void NewFile::write(std::span<const uint8_t> bytes) {
 
 void NewFile::commit() {
   if (nameless_) {
-    passing_name_ = beside(path_);
-    unlink(passing_name_.c_str()); // of a process of that number that was killed just here
+    lock(descriptor_);
     const std::string nameless = "/proc/self/fd/" + std::to_string(descriptor_);
-    if (linkat(AT_FDCWD, nameless.c_str(), AT_FDCWD, passing_name_.c_str(), AT_SYMLINK_FOLLOW) != 0) {
-      const int error = errno;
-      passing_name_.clear();
-      fail(error);
-    }
+    passing_name_ = passing_name(path_, [&](const fs::path& name) {
+      return linkat(AT_FDCWD, nameless.c_str(), AT_FDCWD, name.c_str(), AT_SYMLINK_FOLLOW) == 0 ? 0 : errno;
+    });
+    if (passing_name_.empty()) fail(errno);
   }
-  const int closed = close(descriptor_);
-  descriptor_ = -1;
-  if (closed != 0) fail(errno);
-  if (passing_name_.empty()) return;
-  if (std::rename(passing_name_.c_str(), path_.c_str()) != 0) fail(errno);
+  // a file system of a network may say only when it is closed that a disk is full; the lock stays for the move
+  const int again = dup(descriptor_);
+  if (again < 0 || close(again) != 0) fail(errno);
+  if (!passing_name_.empty() && std::rename(passing_name_.c_str(), path_.c_str()) != 0) fail(errno);
   passing_name_.clear();
 }
 

@@ -21,6 +21,7 @@ int main(int count, char** words) {
   std::ios::sync_with_stdio(false);
   occupy_standard_streams();
   signal(SIGPIPE, SIG_IGN); // a reader that has gone is an error of the write
+  signal(SIGXFSZ, SIG_IGN); // and so is a file that may not grow
   unghost::catch_signals();
   const std::span<const char* const> all(words, size_t(count));
   return unghost::run(all.subspan(all.empty() ? 0 : 1), std::cout, std::cerr, isatty(STDERR_FILENO) != 0);

@@ -2,6 +2,7 @@
 
 #include <csetjmp>
 #include <cstring>
+#include <new>
 
 #include <png.h>
 
@@ -17,9 +18,22 @@ constexpr int row_filter = PNG_FILTER_SUB;
 constexpr char text_key[] = "unghost";
 constexpr size_t text_limit = 1 << 20;
 
+struct Sink {
+  std::vector<uint8_t> bytes;
+  bool full = false; // of memory
+
+  bool take(const uint8_t* data, size_t size) {
+    try {
+      bytes.insert(bytes.end(), data, data + size);
+    } catch (const std::bad_alloc&) { // must not pass through libpng
+      full = true;
+    }
+    return !full;
+  }
+};
+
 void append(png_structp png, png_bytep data, size_t size) {
-  auto& bytes = *static_cast<std::vector<uint8_t>*>(png_get_io_ptr(png));
-  bytes.insert(bytes.end(), data, data + size);
+  if (!static_cast<Sink*>(png_get_io_ptr(png))->take(data, size)) png_error(png, "no memory");
 }
 
 // libpng leaves by longjmp, so no object with a destructor lives in the functions that call it.
@@ -72,15 +86,17 @@ void leave(png_structp png, png_const_charp) { png_longjmp(png, 1); }
 } // namespace
 
 std::vector<uint8_t> encode_png(const Image& picture, const std::string& text) {
-  std::vector<uint8_t> bytes, row(size_t(picture.width) * 3);
-  bytes.reserve(size_t(picture.width) * picture.height * 2 + 4096);
+  Sink sink;
+  std::vector<uint8_t> row(size_t(picture.width) * 3);
+  sink.bytes.reserve(size_t(picture.width) * picture.height * 2 + 4096);
   png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, leave, say_nothing);
   png_infop info = png_create_info_struct(png);
-  png_set_write_fn(png, &bytes, append, nullptr);
+  png_set_write_fn(png, &sink, append, nullptr);
   const bool written = write_png(png, info, picture, text, row.data());
   png_destroy_write_struct(&png, &info);
+  if (sink.full) throw std::bad_alloc();
   if (!written) throw Failure(Exit::failed, "libpng could not encode the picture");
-  return bytes;
+  return std::move(sink).bytes;
 }
 
 Image decode_png(std::span<const uint8_t> bytes, uint32_t longest) {

@@ -1,6 +1,8 @@
 // `unghost report`: every measurement of a scene, and one page of them.
 #include <algorithm>
+#include <deque>
 #include <iterator>
+#include <new>
 
 #include <nlohmann/json.hpp>
 
@@ -63,6 +65,8 @@ std::optional<Image> find_picture(const fs::path& folder, const std::string& fil
   if (file.empty() || !fs::is_regular_file(path, ignored)) return std::nullopt;
   try {
     return decode_png(read_file(path, size_t(1) << 30), side);
+  } catch (const std::bad_alloc&) {
+    throw; // is no fault of the file
   } catch (const std::exception& error) {
     throw Failure(Exit::input_refused, path.string() + ": " + error.what());
   }
@@ -101,6 +105,13 @@ void say_what_changed(const CommandLine& line, const Baseline& baseline, Console
   }
 }
 
+/// None takes its place before all are written: a disk that fills up leaves the old ones, which go together.
+void write_together(const std::vector<std::pair<fs::path, std::string>>& texts) {
+  std::deque<NewFile> files;
+  for (const auto& [path, text] : texts) files.emplace_back(path).write(bytes_of(text));
+  for (NewFile& file : files) file.commit();
+}
+
 } // namespace
 
 void report(const CommandLine& line, Console& console) {
@@ -124,9 +135,9 @@ void report(const CommandLine& line, Console& console) {
   notes.stability = std::move(stability);
   if (baseline) notes.baseline = compared(line, *baseline, results);
   const std::string page = report_page(results, find, notes); // throws where a picture is broken
-  write_file(folder / "results.json", bytes_of(results_json(results).dump(1) + "\n"));
-  write_file(folder / "results.csv", bytes_of(results_csv(results)));
-  write_file(folder / "index.html", bytes_of(page));
+  write_together({{folder / "results.json", results_json(results).dump(1) + "\n"},
+                  {folder / "results.csv", results_csv(results)},
+                  {folder / "index.html", page}});
   if (notes.baseline) return say_what_changed(line, *notes.baseline, console);
   if (line.json)
     console.out << nlohmann::json{{"file", (folder / "index.html").string()},

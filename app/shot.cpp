@@ -1,6 +1,7 @@
 #include "app/shot.h"
 
 #include <algorithm>
+#include <new>
 
 #include <nlohmann/json.hpp>
 
@@ -173,6 +174,8 @@ std::vector<Assignment> apply_file_and_words(const CommandLine& line, Shot& shot
       } else {
         plain = assignments_in(file);
       }
+    } catch (const std::bad_alloc&) {
+      throw;                                // is no fault of the file
     } catch (const std::exception& error) { // a setting, a size or a type in it is wrong
       throw Failure(Exit::input_refused, line.settings.string() + ": " + error.what());
     }

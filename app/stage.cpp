@@ -21,7 +21,8 @@ constexpr float clearly_wider = 1.05f;
 Scene load(const std::filesystem::path& file, const LoadLimits& limits) {
   std::variant<Scene, Refusal> loaded = load_scene(file, limits);
   if (const Refusal* refusal = std::get_if<Refusal>(&loaded))
-    throw Failure(Exit::input_refused, refusal->sentence());
+    throw Failure(refusal->out_of_memory ? Exit::device_lost_or_memory : Exit::input_refused,
+                  refusal->sentence());
   return std::get<Scene>(std::move(loaded));
 }
 

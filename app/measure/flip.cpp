@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
 #include <numbers>
 #include <numeric>
 #include <thread>
@@ -12,13 +13,25 @@
 namespace unghost {
 namespace {
 
-/// Bands of rows, a thread each; the last one here.
+/// Bands of rows, a thread each; the last one here. What one throws comes out after all have ended.
 template <class Work> void in_bands(size_t rows, unsigned threads, const Work& work) {
   const size_t bands = std::clamp<size_t>(rows / 16, 1, threads_of(threads));
-  std::vector<std::jthread> others;
-  for (size_t band = 0; band + 1 < bands; ++band)
-    others.emplace_back([&work, band, bands, rows] { work(rows * band / bands, rows * (band + 1) / bands); });
-  work(rows * (bands - 1) / bands, rows);
+  std::vector<std::exception_ptr> faults(bands);
+  const auto one = [&](size_t band) {
+    try {
+      work(rows * band / bands, rows * (band + 1) / bands);
+    } catch (...) {
+      faults[band] = std::current_exception();
+    }
+  };
+  {
+    std::vector<std::jthread> others;
+    others.reserve(bands - 1);
+    for (size_t band = 0; band + 1 < bands; ++band) others.emplace_back([&one, band] { one(band); });
+    one(bands - 1);
+  }
+  for (const std::exception_ptr& fault : faults)
+    if (fault) std::rethrow_exception(fault);
 }
 
 /// `row_of(y, buffer)` gives one row of linear RGB; it may lie in the buffer.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <new>
 
 #include "app/failure.h"
 
@@ -189,6 +190,8 @@ json measured_json(const Measured& m) {
 Measured measured_from_json(const json& object, const std::string& where) {
   try {
     return read_measured(object);
+  } catch (const std::bad_alloc&) {
+    throw;                                // is no fault of the file
   } catch (const std::exception& error) { // a member is missing or of another type
     const std::string said = error.what();
     const size_t prefix =

@@ -64,7 +64,7 @@ std::string Refusal::sentence() const {
 
 std::variant<Scene, Refusal> load_scene(const std::filesystem::path& file, const LoadLimits& limits) {
   const auto refusal = [&](std::string why, std::string pointer = {}) {
-    return Refusal{file.string(), std::move(pointer), std::move(why)};
+    return Refusal{.file = file.string(), .pointer = std::move(pointer), .why = std::move(why)};
   };
   try {
     return read_scene(file, limits);
@@ -73,7 +73,9 @@ std::variant<Scene, Refusal> load_scene(const std::filesystem::path& file, const
   } catch (const FileProblem& problem) {
     return refusal(problem.what());
   } catch (const std::bad_alloc&) {
-    return refusal("there is not enough memory for it");
+    Refusal large = refusal("there is not enough memory for it");
+    large.out_of_memory = true;
+    return large;
   } catch (const std::exception& error) { // of a library, about something that should have been checked above
     return refusal(std::string("cannot be read: ") + printable(error.what()));
   }

@@ -25,6 +25,7 @@ struct Refusal {
   std::string file;
   std::string pointer; // empty where no place in the JSON is to blame
   std::string why;
+  bool out_of_memory = false; // the file may be a good one
 
   std::string sentence() const;
 };

@@ -1,9 +1,18 @@
 #include "app/files.h"
 
+#include <csignal>
+#include <cstddef>
+
 #include <gtest/gtest.h>
+#include <linux/filter.h>
+#include <linux/seccomp.h>
+#include <sys/file.h>
+#include <sys/prctl.h>
 #include <sys/stat.h>
+#include <sys/syscall.h>
 
 #include "app/failure.h"
+#include "tests/app/child.h"
 #include "tests/app/scratch_folder.h"
 
 namespace unghost {
@@ -52,6 +61,74 @@ TEST(NewFile, SaysWhyItCannotBeWritten) {
   const auto [full_exit, full] = failure_of([] { write_file("/dev/full", hello); });
   EXPECT_EQ(full_exit, Exit::failed);
   EXPECT_NE(full.find("No space left"), std::string::npos) << full;
+}
+
+TEST(NewFile, ReplacesWhatAKilledProcessLeft) {
+  const ScratchFolder folder;
+  folder.file(".a.png.0.part", "left"), folder.file(".a.png.1.part", "left");
+  write_file(folder.path / "a.png", hello);
+  write_file(folder.path / "a.png", hello);
+  EXPECT_EQ(read_file(folder.path / "a.png", 100), hello);
+  EXPECT_EQ(content_of(folder.path / ".a.png.1.part"), "left") << "the first free name is taken";
+  EXPECT_EQ(folder.count(), 2u);
+}
+
+TEST(NewFile, SparesWhatAnotherStillWrites) {
+  const ScratchFolder folder;
+  const fs::path others = folder.file(".a.png.0.part", "being written");
+  const int descriptor = open(others.c_str(), O_WRONLY | O_CLOEXEC);
+  ASSERT_EQ(flock(descriptor, LOCK_EX | LOCK_NB), 0);
+  write_file(folder.path / "a.png", hello);
+  EXPECT_EQ(content_of(others), "being written");
+  EXPECT_EQ(read_file(folder.path / "a.png", 100), hello);
+  EXPECT_EQ(folder.count(), 2u);
+  close(descriptor);
+  write_file(folder.path / "a.png", hello);
+  EXPECT_EQ(folder.count(), 1u) << "its writer has ended";
+}
+
+/// From here on, as on a file system that knows no files without a name.
+void forbid_nameless_files() {
+  const sock_filter rules[] = {
+      BPF_STMT(BPF_LD | BPF_W | BPF_ABS, offsetof(seccomp_data, nr)),
+      BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, SYS_openat, 0, 3),
+      BPF_STMT(BPF_LD | BPF_W | BPF_ABS, offsetof(seccomp_data, args[2])),
+      BPF_JUMP(BPF_JMP | BPF_JSET | BPF_K, O_TMPFILE & ~O_DIRECTORY, 0, 1),
+      BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ERRNO | EOPNOTSUPP),
+      BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ALLOW),
+  };
+  const sock_fprog program{.len = std::size(rules), .filter = const_cast<sock_filter*>(rules)};
+  if (prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) != 0 ||
+      prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &program) != 0)
+    _exit(77);
+}
+
+TEST(NewFile, IsWholeAndAloneWhereFilesNeedANameToo) {
+  const ScratchFolder folder;
+  const fs::path file = folder.path / "a.png";
+  const pid_t killed = fork(); // in the middle of it
+  if (killed == 0) {
+    forbid_nameless_files();
+    NewFile unfinished(file);
+    unfinished.write(hello);
+    raise(SIGKILL);
+  }
+  const int ended = wait_for(killed);
+  if (ended == 77) GTEST_SKIP() << "there is no seccomp here";
+  EXPECT_EQ(ended, 128 + SIGKILL);
+  EXPECT_FALSE(fs::exists(file));
+  EXPECT_EQ(folder.count(), 1u) << "what it left";
+  const pid_t next = fork();
+  if (next == 0) {
+    forbid_nameless_files();
+    const NewFile abandoned(file), other(folder.path / "b.png");
+    write_file(file, hello); // beside one that is not finished
+    _exit(folder.count() == 3 ? 0 : 1);
+  }
+  EXPECT_EQ(wait_for(next), 0);
+  EXPECT_EQ(read_file(file, 100), hello);
+  write_file(file, hello);
+  EXPECT_EQ(folder.count(), 2u) << "and what was left of b.png";
 }
 
 TEST(NewFile, WritesToADeviceInsteadOfReplacingIt) {

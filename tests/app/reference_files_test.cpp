@@ -1,9 +1,11 @@
 #include "app/reference_files.h"
 
 #include <algorithm>
+#include <random>
 
 #include <gtest/gtest.h>
 
+#include "tests/app/child.h"
 #include "tests/app/fake_film.h"
 #include "tests/app/scratch_folder.h"
 
@@ -62,9 +64,18 @@ TEST_F(ReferenceFiles, WhateverItDependsOnMakesItAnother) {
 
 TEST_F(ReferenceFiles, ABrokenFileIsDrawnAgainAndMended) {
   samples_drawn();
-  for (const auto& entry : fs::directory_iterator(kept())) fs::resize_file(entry.path(), 60);
-  EXPECT_EQ(samples_drawn(), 8u);
-  EXPECT_EQ(samples_drawn(), 0u);
+  const fs::path file = fs::directory_iterator(kept())->path();
+  const std::string whole = content_of(file);
+  std::string noise, flipped = whole;
+  std::mt19937 random(1);
+  while (noise.size() < whole.size()) noise += char(random());
+  flipped[flipped.size() - 20] = char(flipped[flipped.size() - 20] ^ 1); // in the pixels
+  for (const std::string& broken : {std::string(), whole.substr(0, 60), noise, flipped}) {
+    std::ofstream(file, std::ios::binary) << broken;
+    EXPECT_EQ(samples_drawn(), 8u) << broken.size();
+    EXPECT_EQ(samples_drawn(), 0u);
+    EXPECT_EQ(content_of(file), whole);
+  }
 }
 
 TEST_F(ReferenceFiles, WithoutAPlaceTheFiguresAreThereAllTheSame) {

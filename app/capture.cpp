@@ -12,7 +12,7 @@
 #include "app/headless.h"
 #include "app/picture_output.h"
 #include "app/png_file.h"
-#include "app/writing_thread.h"
+#include "app/writing/writing_thread.h"
 
 namespace unghost {
 namespace {

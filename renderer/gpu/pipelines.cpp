@@ -3,23 +3,37 @@
 #include <fstream>
 
 #include "renderer/gpu/pipeline_parts.h"
+#include "renderer/gpu/sha256.h"
 #include "renderer/gpu/specialize.h"
 
 namespace unghost {
 namespace {
 
-constexpr uint32_t spirv_magic = 0x07230203;
+constexpr const char* list_of_sums = "sums.txt"; // as sha256sum writes it
 
-std::vector<uint32_t> read_spirv(const std::filesystem::path& file) {
+std::string read(const std::filesystem::path& file, const char* what) {
   std::ifstream in(file, std::ios::binary);
-  if (!in) throw std::runtime_error("the shader " + file.string() + " is missing; build again");
   std::stringstream bytes;
-  bytes << in.rdbuf();
-  const std::string text = bytes.str();
-  std::vector<uint32_t> words(text.size() / 4);
-  std::memcpy(words.data(), text.data(), words.size() * 4);
-  if (words.size() < 5 || words[0] != spirv_magic || text.size() % 4 != 0)
-    throw std::runtime_error("the shader " + file.string() + " is not SPIR-V; build again");
+  if (!in || !(bytes << in.rdbuf()))
+    throw std::runtime_error(what + (" " + file.string()) + " is missing or empty; build again");
+  return bytes.str();
+}
+
+std::map<std::string, std::string> read_sums(const std::filesystem::path& folder) {
+  std::istringstream lines(read(folder / list_of_sums, "the list of shaders"));
+  std::map<std::string, std::string> sums;
+  for (std::string sum, file; lines >> sum >> file;) sums[file] = sum;
+  return sums;
+}
+
+/// Drivers don't survive shaders that are damaged, nor does what makes them faster: they see those that were
+/// built.
+std::vector<uint32_t> read_spirv(const std::filesystem::path& file, const std::string& sum) {
+  const std::string bytes = read(file, "the shader");
+  if (Sha256::hex(bytes) != sum)
+    throw std::runtime_error("the shader " + file.string() + " is not what was built; build again");
+  std::vector<uint32_t> words(bytes.size() / sizeof(uint32_t));
+  std::memcpy(words.data(), bytes.data(), words.size() * sizeof(uint32_t));
   return words;
 }
 
@@ -30,7 +44,11 @@ Pipelines::Pipelines(const Device& device, std::filesystem::path shaders)
 
 OwnedModule Pipelines::module(const std::string& file, const std::vector<uint32_t>& constants) {
   auto found = spirv_.find(file);
-  if (found == spirv_.end()) found = spirv_.emplace(file, read_spirv(shaders_ / (file + ".spv"))).first;
+  if (found == spirv_.end()) {
+    if (sums_.empty()) sums_ = read_sums(shaders_);
+    const std::string name = file + ".spv";
+    found = spirv_.emplace(file, read_spirv(shaders_ / name, sums_[name])).first;
+  }
   const std::vector<uint32_t> words = specialized(found->second, constants);
   const VkShaderModuleCreateInfo info{.sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO,
                                       .codeSize = words.size() * 4,

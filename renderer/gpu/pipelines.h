@@ -48,6 +48,7 @@ private:
 
   const Device& device_;
   std::filesystem::path shaders_;
+  std::map<std::string, std::string> sums_;            // of the files of shaders, as they were built
   std::map<std::string, std::vector<uint32_t>> spirv_; // by file
   std::map<std::vector<uint64_t>, Layout> layouts_;
   std::map<std::string, OwnedPipeline> pipelines_;

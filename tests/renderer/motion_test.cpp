@@ -1,5 +1,5 @@
 // Motion vectors against double precision on the CPU.
-#include "app/measure/motion_oracle.h"
+#include "app/measure/stability/motion_oracle.h"
 #include "renderer/view.h"
 #include "tests/renderer/studio.h"
 

@@ -1,7 +1,7 @@
 // Motion where numbers are small, large, or far from the origin. All modes of a frame share it.
 #include <cmath>
 
-#include "app/measure/motion_oracle.h"
+#include "app/measure/stability/motion_oracle.h"
 #include "app/measure/stability/block_world.h"
 #include "app/measure/stability/matrix.h"
 #include "renderer/renderer.h"

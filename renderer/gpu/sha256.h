@@ -1,4 +1,4 @@
-// SHA-256 (FIPS 180-4), to judge the hashes that a page is built with.
+// SHA-256 (FIPS 180-4): whether a file is what was built.
 #pragma once
 
 #include <array>

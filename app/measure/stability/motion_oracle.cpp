@@ -1,4 +1,4 @@
-#include "app/measure/motion_oracle.h"
+#include "app/measure/stability/motion_oracle.h"
 
 #include <algorithm>
 #include <cmath>

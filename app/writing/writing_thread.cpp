@@ -1,4 +1,4 @@
-#include "app/writing_thread.h"
+#include "app/writing/writing_thread.h"
 
 #include <utility>
 

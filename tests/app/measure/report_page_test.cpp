@@ -6,8 +6,8 @@
 #include "app/measure/report/case_charts.h"
 #include "app/measure/report/embedded.h"
 #include "app/measure/report/html.h"
+#include "renderer/gpu/sha256.h"
 #include "tests/app/report_sample.h"
-#include "tests/app/sha256.h"
 
 namespace unghost {
 namespace {

@@ -47,9 +47,10 @@ void add_drawing(CLI::App& app, CommandLine& line, bool with_frames) {
       "--size", [&line](const std::string& text) { line.size = picture_size(text); },
       "WIDTHxHEIGHT, in pixels (default 1280x720; report: two sizes)");
   if (with_frames)
-    app.add_option("--frames", line.frames,
-                   "Rendered one by one from a cold start; the last one counts (default 64; measure: the "
-                   "protocol's)")
+    app.add_option(
+           "--frames", line.frames,
+           "Rendered one by one from a cold start; the last one counts (default 64; explain: 8; measure: "
+           "the protocol's)")
         ->check(CLI::Range(1u, most_frames));
   app.add_option_function<std::string>(
       "--seed", [&line](const std::string& text) { line.seed = seed_of(text); },
@@ -103,6 +104,10 @@ void add_options(CLI::App& app, const CommandRow& row, CommandLine& line) {
   if (row.options & (timed | figures))
     app.add_option("--rounds", line.rounds,
                    "Of all modes in turns, timed (default 31; the full protocol: 1000)")
+        ->check(CLI::Range(1u, most_frames));
+  if (row.options & anatomy)
+    app.add_option("--rounds", line.rounds,
+                   "Of the frame and of what it was made without, in turns (default 3)")
         ->check(CLI::Range(1u, most_frames));
   if (row.options & rounds_only)
     app.add_flag("--alone,!--no-alone", line.alone,

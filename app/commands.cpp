@@ -16,6 +16,8 @@ std::span<const CommandRow> commands() {
        many_modes | endurance | figures_out | device, stability},
       {"bench", "Say in milliseconds and ratios what each mode adds to a frame",
        drawing | many_modes | timed | rounds_only, bench},
+      {"explain", "Say what a frame is made of, what it was made without and why, and what that saved",
+       drawing | one_mode | anatomy, explain},
       {"flip", "Say how different two pictures look (FLIP), and draw where", two_pictures | picture,
        flip_command},
       {"sweep", "Measure all that a plan asks for, or list it as commands", sweep_plan, sweep},

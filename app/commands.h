@@ -40,6 +40,7 @@ enum CommandOptions : unsigned {
   job_list = 1u << 15, // and which line of it
   shard_list = 1u << 16,
   endurance = 1u << 17, // which cases of stability, and for how long
+  anatomy = 1u << 18,   // of one frame
 };
 
 struct CommandRow {
@@ -61,6 +62,7 @@ void report(const CommandLine& line, Console& console);
 void stability(const CommandLine& line, Console& console);
 void merge(const CommandLine& line, Console& console);
 void bench(const CommandLine& line, Console& console);
+void explain(const CommandLine& line, Console& console);
 void list_modes(const CommandLine& line, Console& console);
 void list_rigs(const CommandLine& line, Console& console);
 void list_views(const CommandLine& line, Console& console);

@@ -20,6 +20,7 @@ using nlohmann::json;
 constexpr size_t settings_file_limit = 256 << 20;
 constexpr std::string_view all_modes = "all"; // a word of --modes
 constexpr const char* default_mode = "grand-tour";
+constexpr uint32_t explained_frames = 8; // a history, and a whole cycle of most jitters
 // The ghost itself, and the two steps by which the article gets rid of it.
 const std::vector<std::string> default_comparison = {"off", "blend", "uncharted", "grand-tour"};
 
@@ -255,6 +256,7 @@ Shot shot_from(const CommandLine& line) {
   shot.command = line.command->name;
   shot.modes = default_modes(*line.command);
   if (line.command->options & figures) shot.rig = "pass";
+  if (line.command->options & anatomy) shot.frames = explained_frames;
   std::vector<Assignment> assignments = apply_file_and_words(line, shot);
   check_rig(shot.rig);
   for (const std::string& text : line.assignments) {

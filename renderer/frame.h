@@ -45,7 +45,7 @@ struct FrameSetup {
   std::vector<size_t> geometry_of; // by mode
 };
 /// Poses the scene and describes it to the passes, once for each jitter among the modes.
-FrameSetup describe_frame(const FrameInput& given, const Scene& scene, const GpuScene& gpu,
+FrameSetup describe_frame(FrameGraph& graph, const FrameInput& given, const Scene& scene, const GpuScene& gpu,
                           FrameMemory& memory, LastFrame& before);
 
 } // namespace unghost

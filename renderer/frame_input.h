@@ -9,6 +9,7 @@
 #include <glm/glm.hpp>
 #include <glm/gtc/quaternion.hpp>
 
+#include "renderer/gpu/frame_report.h"
 #include "renderer/scene/scene.h"
 #include "renderer/settings.h"
 
@@ -57,7 +58,9 @@ struct FrameInput {
   uint32_t width = 1280, height = 720;
   Settings settings; // light, stage and view; each run brings its own taa
   std::vector<ModeRun> modes;
-  bool timed = false; // resolves every mode, wanted or not, and draws a full-screen copy to compare with
+  bool shown = false;   // the first mode's display is made, wanted or not
+  std::string left_out; // where settings keep everything: all but this, by its name in FrameResult
+  bool timed = false;   // resolves every mode, wanted or not, and draws a full-screen copy to compare with
   std::vector<Wanted> wanted;
 };
 
@@ -73,16 +76,12 @@ struct Delivered {
   FloatImage image;
 };
 
-struct PassReport {
-  std::string name;
-  double ms = 0;            // GPU time
-  uint64_t image_bytes = 0; // of the images that the pass is the first to write
-};
-
 struct FrameResult {
   std::vector<Delivered> delivered; // as many as were wanted, in their order
   std::vector<PassReport> passes;
-  uint64_t image_bytes = 0; // of all images that the frame touches, each once
+  std::vector<UsedImage> images; // all that the frame touches, each once
+  std::vector<LeftOut> left_out;
+  uint64_t image_bytes = 0; // of all images
 };
 
 } // namespace unghost

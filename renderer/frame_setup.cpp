@@ -22,7 +22,6 @@ struct Objects {
   std::vector<glm::dmat4> eye_from_object;
   std::vector<glm::mat4x3> previous_eye_from_object;
   std::vector<uint8_t> moved, mirrored;
-  bool anything_moved = false;
 };
 
 Objects place_objects(const FrameInput& input, const Scene& scene, const GpuScene& gpu,
@@ -36,7 +35,6 @@ Objects place_objects(const FrameInput& input, const Scene& scene, const GpuScen
     objects.moved.push_back(moved);
     objects.previous_eye_from_object.emplace_back(relative_to(input.before.eye, before[size_t(node)]));
     objects.mirrored.push_back(glm::determinant(glm::dmat3(eye_from_object)) < 0);
-    objects.anything_moved |= moved;
   }
   return objects;
 }
@@ -78,8 +76,10 @@ void describe_underside(FrameConstants& constants, const FrameInput& input, cons
   constants.underside_half = glm::dvec2(size.x, size.z) / 2.0 * body;
 }
 
-/// Fills `visible` and `casters`.
-void list_draws(FrameContext& in, const FrameConstants& constants, const GpuScene& gpu,
+bool casts_shadow(const Draw& draw) { return (draw.features & IS_UNLIT) == 0 && !draw.blended; }
+
+/// Fills `visible`, `casters` and `in_view`.
+void list_draws(FrameGraph& graph, FrameContext& in, const FrameConstants& constants, const GpuScene& gpu,
                 const Objects& objects) {
   const glm::dmat4 clip_from_eye(constants.clip_from_eye);
   glm::dmat4 shadow_clip_from_eye(constants.shadow_from_eye);
@@ -88,14 +88,26 @@ void list_draws(FrameContext& in, const FrameConstants& constants, const GpuScen
       shadow_clip_from_eye[column][row] = 2 * shadow_clip_from_eye[column][row] - (column == 3 ? 1 : 0);
   // Culling does not see the jitter: it could move things by half a pixel.
   const glm::dvec2 side = 1.0 + 1.0 / glm::dvec2(constants.size_px);
-  std::vector<std::pair<double, const Draw*>> by_distance;
+  std::vector<uint8_t> seen, seen_by_sun;
   for (const Draw& draw : gpu.draws) {
     const glm::dmat4& eye_from_object = objects.eye_from_object[draw.object];
-    if (may_be_seen(draw.bounds, clip_from_eye * eye_from_object, side))
-      by_distance.emplace_back(distance_to(draw.bounds, eye_from_object), &draw);
-    if ((draw.features & IS_UNLIT) == 0 && !draw.blended &&
-        may_be_seen(draw.bounds, shadow_clip_from_eye * eye_from_object))
-      in.casters.push_back(&draw);
+    const bool moved = objects.moved[draw.object] != 0;
+    seen.push_back(may_be_seen(draw.bounds, clip_from_eye * eye_from_object, side));
+    seen_by_sun.push_back(may_be_seen(draw.bounds, shadow_clip_from_eye * eye_from_object));
+    in.in_view.anything |= seen.back() != 0;
+    in.in_view.anything_moved |= moved && seen.back() != 0;
+    in.in_view.moving_casters |= moved && casts_shadow(draw) && seen_by_sun.back() != 0;
+  }
+  const auto all = [](const std::vector<uint8_t>& list) { return std::ranges::find(list, 0) == list.end(); };
+  const bool all_seen = graph.needed(all(seen), {"draws out of view", "they lie beyond the picture's sides"});
+  const bool all_cast =
+      graph.needed(all(seen_by_sun), {"casters out of the map", "they lie beyond the shadow map's sides"});
+  std::vector<std::pair<double, const Draw*>> by_distance;
+  for (size_t i = 0; i < gpu.draws.size(); ++i) {
+    const Draw& draw = gpu.draws[i];
+    if (all_seen || seen[i] != 0)
+      by_distance.emplace_back(distance_to(draw.bounds, objects.eye_from_object[draw.object]), &draw);
+    if (casts_shadow(draw) && (all_cast || seen_by_sun[i] != 0)) in.casters.push_back(&draw);
   }
   // Pipelines change seldom, and within one near things come first, so that what lies behind them is not
   // shaded.
@@ -104,7 +116,36 @@ void list_draws(FrameContext& in, const FrameConstants& constants, const GpuScen
   for (const auto& [distance, draw] : by_distance) in.visible.push_back(draw);
 }
 
-std::vector<LightData> place_lights(const FrameInput& input, const Scene& scene,
+/// What every pipeline is made with beside what its own draws ask for: a white texture multiplies by 1, and
+/// what has no mask passes every test. A transform of texture coordinates that changes nothing rounds, and is
+/// not among them.
+uint32_t features_of_all(FrameGraph& graph, const SceneTraits& traits) {
+  constexpr uint32_t textures =
+      ((1u << MATERIAL_TEXTURES) - 1) & ~(1u << TEXTURE_NORMAL); // a white normal is none
+  const auto all_have = [&](uint32_t features) { return (traits.features & features) == features; };
+  uint32_t features = 0;
+  if (graph.needed(all_have(HAS_ALPHA_MASK),
+                   {"alpha test", traits.masked ? "not every material is masked" : "no material is masked"}))
+    features |= HAS_ALPHA_MASK;
+  if (graph.needed(all_have(textures), {"textures", "not every material has each"})) features |= textures;
+  return features;
+}
+
+/// Bits of this frame's jitter.
+uint32_t features_of_jitter(FrameGraph& graph, const TaaSettings& taa, glm::dvec2 shift_px) {
+  uint32_t features = 0;
+  if (graph.needed(shift_px != glm::dvec2(0),
+                   {"texture shift", "textures move with the jitter, if there is any"}))
+    features |= SHIFTS_TEXTURES;
+  if (graph.needed(taa.mip_bias != 0, {"mip bias", "mip-bias is 0"})) features |= BIASES_TEXTURES;
+  return features;
+}
+
+/// Somewhere, so that it has a direction.
+constexpr LightData dark_lamp{
+    .position_eye = {3, 5, 4}, .direction_eye = {0.36f, -0.8f, 0.48f}, .spot_offset = 1, .directional = 1};
+
+std::vector<LightData> place_lights(FrameGraph& graph, const FrameInput& input, const Scene& scene,
                                     const std::vector<glm::dmat4>& now) {
   std::vector<LightData> lights;
   for (size_t n = 0; n < scene.nodes.size(); ++n) {
@@ -125,6 +166,8 @@ std::vector<LightData> place_lights(const FrameInput& input, const Scene& scene,
     }
     lights.push_back(data);
   }
+  if (graph.needed(!lights.empty(), {"lamps", "the scene has none"}) && lights.empty())
+    lights.push_back(dark_lamp);
   return lights;
 }
 
@@ -162,6 +205,17 @@ DepthRange tagged_range(const FrameInput& input, const GpuScene& gpu, const Obje
   return {.deepest_m = float(deepest), .length_m = glm::length(box.high - box.low)};
 }
 
+/// Whether what rests is where it was in the picture.
+bool same_view(const Instant& now, const Instant& before) {
+  return now.eye == before.eye && now.camera == before.camera && now.vertical_fov == before.vertical_fov;
+}
+
+/// Its light, or its shadows.
+bool shows_sun(const FrameInput& input) {
+  return input.settings.light.sun_illuminance > 0 || input.settings.view == View::shadow ||
+         std::ranges::find(input.wanted, Output::sun_visibility, &Wanted::what) != input.wanted.end();
+}
+
 bool share_geometry(const FrameInput& input, const TaaSettings& a, const TaaSettings& b) {
   if (a.mip_bias != b.mip_bias) return false;
   if (input.jitter_px) return a.texture_jitter == b.texture_jitter;
@@ -195,14 +249,14 @@ std::vector<const TaaSettings*> share_geometries(const FrameInput& input, std::v
 
 } // namespace
 
-FrameSetup describe_frame(const FrameInput& given, const Scene& scene, const GpuScene& gpu,
+FrameSetup describe_frame(FrameGraph& graph, const FrameInput& given, const Scene& scene, const GpuScene& gpu,
                           FrameMemory& memory, LastFrame& before) {
   assert(!given.modes.empty());
   FrameInput input = given;
   if (input.cut) input.before = input.now; // nothing of before may be used
   const std::vector<glm::dmat4> now = pose(scene, input.now);
   const Objects objects = place_objects(input, scene, gpu, now);
-  const std::vector<LightData> lights = place_lights(input, scene, now);
+  const std::vector<LightData> lights = place_lights(graph, input, scene, now);
   FrameConstants constants{};
   describe_camera(constants, input, {0, 0});
   describe_light(constants, input);
@@ -223,13 +277,16 @@ FrameSetup describe_frame(const FrameInput& given, const Scene& scene, const Gpu
                   .casters = {},
                   .moved = objects.moved,
                   .mirrored = objects.mirrored,
-                  .anything_moved = objects.anything_moved,
+                  .in_view = {},
+                  .camera_moved = !same_view(input.now, input.before),
+                  .sun_shines = shows_sun(input),
+                  .more_features = features_of_all(graph, gpu.traits),
                   .shadow_texels = shadow_texels,
                   .shadow_version = version_of(before.shadows, map_place, objects, gpu, now),
                   .policy_changed = changes_of(before.policies, input.modes),
                   .tagged = tagged_range(input, gpu, objects),
                   .timed = input.timed};
-  list_draws(in, constants, gpu, objects);
+  list_draws(graph, in, constants, gpu, objects);
 
   FrameSetup setup;
   for (const TaaSettings* taa : share_geometries(input, setup.geometry_of)) {
@@ -237,12 +294,12 @@ FrameSetup describe_frame(const FrameInput& given, const Scene& scene, const Gpu
     const glm::dvec2 jitter_px = input.jitter_px.value_or(own);
     describe_camera(constants, input, jitter_px);
     const bool removed = taa->texture_jitter == TextureJitter::removed;
-    constants.texture_jitter_px = removed ? jitter_px : glm::dvec2(0);
+    const glm::dvec2 shift_px = removed ? jitter_px : glm::dvec2(0);
+    constants.texture_jitter_px = shift_px;
     constants.mip_bias = taa->mip_bias;
-    in.shifts_textures = removed && jitter_px != glm::dvec2(0);
-    in.biases_textures = taa->mip_bias != 0;
     in.constants = memory.push_value(constants);
     setup.contexts.push_back(in);
+    setup.contexts.back().more_features |= features_of_jitter(graph, *taa, shift_px);
   }
   return setup;
 }

@@ -30,17 +30,21 @@ FrameResult Renderer::render(const FrameInput& input) {
     throw GpuError(GpuFault::out_of_memory, "this device draws pictures of at most " + std::to_string(most) +
                                                 " pixels a side; try a smaller --size");
   GraphRunner& runner = parts_->runner;
-  const FrameSetup setup = describe_frame(input, parts_->scene, parts_->gpu, runner.memory(), parts_->last);
-  FrameGraph graph(runner.kept(), parts_->frame++);
+  FrameGraph graph(runner.kept(), parts_->frame++, {input.settings.keep_all, input.left_out});
+  const FrameSetup setup =
+      describe_frame(graph, input, parts_->scene, parts_->gpu, runner.memory(), parts_->last);
   const FrameImages images = declare_frame(graph, setup.contexts, setup.geometry_of);
   for (const Wanted& wanted : input.wanted) ask(graph, images, wanted);
+  if (input.shown) graph.want(images.modes.front().display);
   RunResult run = runner.run(graph);
 
-  FrameResult result{.delivered = {}, .passes = {}, .image_bytes = run.image_bytes};
+  FrameResult result{.delivered = {},
+                     .passes = std::move(run.passes),
+                     .images = std::move(run.images),
+                     .left_out = std::move(run.left_out),
+                     .image_bytes = run.image_bytes};
   for (size_t i = 0; i < input.wanted.size(); ++i)
     result.delivered.push_back(deliver(input, input.wanted[i].what, run.readbacks[i]));
-  for (PassTime& pass : run.passes)
-    result.passes.push_back({.name = std::move(pass.name), .ms = pass.ms, .image_bytes = pass.image_bytes});
   return result;
 }
 

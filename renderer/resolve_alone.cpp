@@ -102,9 +102,9 @@ private:
 TaaInputs uploaded(Uploads& uploads, const ResolveInputs& inputs) {
   TaaInputs images{};
   images.colour = uploads.image(halves(inputs.colours), VK_FORMAT_R16G16B16A16_SFLOAT);
+  images.gbuffer.surfaces = images.gbuffer.tagged = images.motion.moves = true;
   images.motion.motion_px = uploads.image(inputs.motion, VK_FORMAT_R32G32_SFLOAT);
-  images.motion.depth = uploads.image(inputs.depth, VK_FORMAT_R32_SFLOAT);
-  images.motion.tagged_depth = uploads.image(tagged_depth(inputs), VK_FORMAT_R32_SFLOAT);
+  images.motion.depth = uploads.image(tagged_depth(inputs), VK_FORMAT_R32_SFLOAT);
   images.motion.previous_depth = uploads.image(inputs.expected_depth, VK_FORMAT_R32_SFLOAT);
   images.gbuffer.object = uploads.image(inputs.objects, VK_FORMAT_R32_UINT);
   images.gbuffer.depth = uploads.depth(inputs);
@@ -161,7 +161,7 @@ struct ResolveAlone::Parts {
   Device& device;
   GpuScene scene;
   GraphRunner runner;
-  std::vector<ResolveRun> ran;
+  std::vector<UsedPipeline> ran;
   uint64_t frame = 0, since_cut = 0;
 };
 
@@ -175,9 +175,8 @@ std::vector<std::vector<glm::vec3>> ResolveAlone::resolve(const ResolveInputs& i
                                                           std::span<const HistoryFault> faults) {
   const RunResult run = parts_->run(inputs, runs, cut, true, faults);
   parts_->ran.clear();
-  for (const PassTime& pass : run.passes)
-    if (!pass.dispatched.shader.empty())
-      parts_->ran.push_back({pass.dispatched.shader, pass.dispatched.constants});
+  for (const PassReport& pass : run.passes)
+    parts_->ran.insert(parts_->ran.end(), pass.pipelines.begin(), pass.pipelines.end());
   std::vector<std::vector<glm::vec3>> results;
   for (const std::vector<std::byte>& bytes : run.readbacks) results.push_back(unpacked(bytes));
   return results;
@@ -187,6 +186,6 @@ void ResolveAlone::advance(const ResolveInputs& inputs, std::span<const ModeRun>
   parts_->run(inputs, runs, cut, false, {});
 }
 
-const std::vector<ResolveRun>& ResolveAlone::ran() const { return parts_->ran; }
+const std::vector<UsedPipeline>& ResolveAlone::ran() const { return parts_->ran; }
 
 } // namespace unghost

@@ -5,11 +5,11 @@
 #include <filesystem>
 #include <memory>
 #include <span>
-#include <string>
 #include <vector>
 
 #include <glm/glm.hpp>
 
+#include "renderer/gpu/frame_report.h"
 #include "renderer/settings.h"
 
 namespace unghost {
@@ -39,12 +39,6 @@ struct HistoryFault {
   float value = 0;
 };
 
-/// What was run for one mode: a shader, and its specialization constants.
-struct ResolveRun {
-  std::string shader;
-  std::vector<uint32_t> constants;
-};
-
 class ResolveAlone {
 public:
   /// `shaders`: the folder with the compiled shaders.
@@ -59,7 +53,7 @@ public:
   /// The same, of which nothing is brought back.
   void advance(const ResolveInputs& inputs, std::span<const ModeRun> runs, bool cut);
   /// Of the last frame, in the order of the runs.
-  const std::vector<ResolveRun>& ran() const;
+  const std::vector<UsedPipeline>& ran() const;
 
 private:
   struct Parts;

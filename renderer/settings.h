@@ -32,6 +32,8 @@ struct LightSettings {
   float sun_illuminance = 1.0f; // a share of the clear noon sun's
   float sky_luminance = 1.0f;   // a share of the clear sky's
   float exposure_ev = 0.0f;
+
+  bool operator==(const LightSettings&) const = default;
 };
 
 struct StageSettings {
@@ -39,6 +41,8 @@ struct StageSettings {
   float model_scale = 0.0f;   // 0: found from the model's bounds
   float model_yaw_deg = 0.0f; // turns a foreign model about y
   float speed = 1.0f;         // scales a rig's motion
+
+  bool operator==(const StageSettings&) const = default;
 };
 
 struct Settings {
@@ -46,12 +50,17 @@ struct Settings {
   LightSettings light;
   StageSettings stage;
   View view = View::colour;
+  bool keep_all = false;
+
+  bool operator==(const Settings&) const = default;
 };
 
 /// One resolve among those of a frame. Its history belongs to its place in the list.
 struct ModeRun {
   std::string name; // of the row; what pictures are labelled with
   TaaSettings taa;
+
+  bool operator==(const ModeRun&) const = default;
 };
 
 /// A setting's words were wrong; `what()` is the sentence, with the nearest known name or the range.

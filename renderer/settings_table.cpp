@@ -13,12 +13,21 @@ template <auto... path> void write(Settings& settings, double value) {
   place = static_cast<std::remove_reference_t<decltype(place)>>(value);
 }
 
+std::span<const Answer> no_or_yes() {
+  static const Answer words[] = {{"0", 0}, {"1", 1}};
+  return words;
+}
+
 /// The row whose value lies at `path`, from Settings inwards: `setting<&Settings::taa, &TaaSettings::alpha>`.
 template <auto... path> Setting setting(Setting row) {
   using Value = std::remove_cvref_t<decltype((std::declval<Settings&>().*....*path))>;
   row.read = &read<path...>;
   row.write = &write<path...>;
   row.per_mode = (std::is_same_v<decltype(path), TaaSettings Settings::*> || ...);
+  if constexpr (std::is_same_v<Value, bool>) {
+    row.kind = SettingKind::choice;
+    row.answers = no_or_yes();
+  }
   if constexpr (std::is_enum_v<Value>) {
     row.kind = std::is_same_v<Value, Reject> ? SettingKind::flags : SettingKind::choice;
     row.answers = answers<Value>();
@@ -108,6 +117,7 @@ std::span<const Setting> settings_table() {
     stage<&StageSettings::model_yaw_deg>({"model-yaw", deg, "Turns a foreign model about the vertical axis.", "", -360, 360}),
     stage<&StageSettings::speed>({"speed", "", "Scales the motion of a rig.", "", 0, 10}),
     setting<&Settings::view>({"view", "", "What is drawn in place of the finished picture."}),
+    setting<&Settings::keep_all>({"keep-all", "", "Draws and keeps everything, needed or not: what leaving out is measured against."}),
   };
   // clang-format on
   return rows;

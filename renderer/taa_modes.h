@@ -63,13 +63,6 @@ struct TaaPolicy {
   }
   bool needs_previous_depth() const { return rejects(Reject::depth); }
   bool needs_previous_objects() const { return rejects(Reject::object); }
-  bool needs_objects() const {
-    return needs_history() && (has(reject, Reject::object) || dilation == Dilation::depth_edges);
-  }
-  bool needs_depth() const {
-    return needs_history() && (dilation == Dilation::closest_depth || dilation == Dilation::depth_edges ||
-                               has(reject, Reject::near_moving | Reject::depth));
-  }
 };
 
 /// The answers, and how much of each. Metres, pixels a frame, shares.

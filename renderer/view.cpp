@@ -80,7 +80,8 @@ glm::dvec2 r2_sequence(uint64_t n) {
 
 namespace {
 
-// Ten points of R2 lie a tenth of a pixel beside the middle in the mean, and so would all that is made of them.
+// Ten points of R2 lie a tenth of a pixel beside the middle in the mean, and so would all that is made of
+// them.
 glm::dvec2 r2_10(uint64_t n) {
   static const glm::dvec2 mean = [] {
     glm::dvec2 sum(0);
@@ -92,23 +93,42 @@ glm::dvec2 r2_10(uint64_t n) {
 
 } // namespace
 
+uint32_t jitter_cycle(Jitter sequence) {
+  switch (sequence) {
+  case Jitter::none:
+    return 1;
+  case Jitter::two_samples:
+    return 2;
+  case Jitter::rotated_grid:
+    return 4;
+  case Jitter::halton_8:
+    return 8;
+  case Jitter::r2_10:
+    return 10;
+  case Jitter::halton_16:
+  case Jitter::blue_noise_16:
+    return 16;
+  }
+  return 1;
+}
+
 glm::dvec2 jitter_offset(Jitter sequence, uint64_t index) {
+  const uint64_t n = index % jitter_cycle(sequence);
   static constexpr double grid[4][2] = {{-.125, -.375}, {.375, -.125}, {-.375, .125}, {.125, .375}};
   switch (sequence) {
   case Jitter::none:
     return {0, 0};
   case Jitter::halton_8:
-    return halton(index % 8);
   case Jitter::halton_16:
-    return halton(index % 16);
+    return halton(n);
   case Jitter::blue_noise_16:
-    return blue_noise(index % 16);
+    return blue_noise(n);
   case Jitter::r2_10:
-    return r2_10(index % 10);
+    return r2_10(n);
   case Jitter::two_samples:
-    return glm::dvec2(index % 2 == 0 ? -0.25 : 0.25);
+    return glm::dvec2(n == 0 ? -0.25 : 0.25);
   case Jitter::rotated_grid:
-    return {grid[index % 4][0], grid[index % 4][1]};
+    return {grid[n][0], grid[n][1]};
   }
   return {0, 0};
 }

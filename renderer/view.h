@@ -10,6 +10,8 @@ namespace unghost {
 /// The camera part of FrameConstants: matrices, reprojection, jitter, sizes.
 void describe_camera(FrameConstants& constants, const FrameInput& input, glm::dvec2 jitter_px);
 
+/// After so many frames the sequence begins again.
+uint32_t jitter_cycle(Jitter sequence);
 /// Offset of frame `index` in pixels, each axis in [-0.5, 0.5).
 glm::dvec2 jitter_offset(Jitter sequence, uint64_t index);
 /// Point `n` of R2, which never repeats (Roberts 2018), each axis in [-0.5, 0.5).

@@ -8,6 +8,9 @@
 layout(constant_id = 0) const bool has_emissive = false;
 layout(constant_id = 1) const uint light_count = 0;
 layout(constant_id = 2) const bool keeps_visibility = false;
+layout(constant_id = 3) const bool has_surfaces = false;
+layout(constant_id = 4) const bool has_lit = false;  // surfaces that light changes
+layout(constant_id = 5) const bool has_sun = false;
 
 layout(set = 0, binding = LIGHT_ALBEDO) uniform texture2D albedo_map;
 layout(set = 0, binding = LIGHT_NORMAL) uniform texture2D normal_map;
@@ -94,29 +97,35 @@ vec3 from_lamps(Surface s, vec3 position_eye, vec3 to_eye) {
   return sum;
 }
 
+vec3 own_light(ivec2 pixel) { return has_emissive ? texelFetch(emissive_map, pixel, 0).rgb : vec3(0); }
+
+/// What a surface sends to the eye, and how much of the sun it sees.
+vec3 lit_surface(ivec2 pixel, vec3 ray, float depth, inout float visibility) {
+  vec4 material = texelFetch(material_map, pixel, 0);
+  if (material.x == 0) return own_light(pixel);
+  vec4 albedo = texelFetch(albedo_map, pixel, 0);
+  vec3 normal = direction_from_octahedral(texelFetch(normal_map, pixel, 0).xy);
+  Surface s = Surface(albedo.rgb * albedo.rgb, albedo.a, normal, material.x, material.y, material.z, material.w);
+  vec3 position_eye = ray * linear_depth(depth);
+  vec3 to_eye = normalize(-ray);
+  if (has_sun) visibility = dot(normal, frame.towards_sun) > 0 ? sun_visibility(position_eye, normal) : 0;
+  vec3 colour = from_environment(s, to_eye) * sky_share(position_eye, normal) + from_lamps(s, position_eye, to_eye);
+  if (has_sun && visibility > 0)
+    colour += reflect_light(s, to_eye, frame.towards_sun, sun_alpha) * frame.sun_illuminance * visibility;
+  if (has_emissive) colour += own_light(pixel);
+  return colour;
+}
+
 void main() {
   pixel_or_return(pixel);
-  float depth = texelFetch(depth_map, pixel, 0).r;
+  float depth = 0;
+  if (has_surfaces) depth = texelFetch(depth_map, pixel, 0).r;
   vec3 ray = frame.eye_from_view * view_ray(vec2(pixel) + 0.5);
-  vec3 colour;
   float visibility = 1;
-  vec4 material = texelFetch(material_map, pixel, 0);
-  if (depth <= 0) {
-    colour = visible_sky(normalize(ray));
-  } else if (material.x == 0) {
-    colour = texelFetch(emissive_map, pixel, 0).rgb;
-  } else {
-    vec4 albedo = texelFetch(albedo_map, pixel, 0);
-    vec3 normal = direction_from_octahedral(texelFetch(normal_map, pixel, 0).xy);
-    Surface s = Surface(albedo.rgb * albedo.rgb, albedo.a, normal, material.x, material.y, material.z, material.w);
-    vec3 position_eye = ray * linear_depth(depth);
-    vec3 to_eye = normalize(-ray);
-    visibility = dot(normal, frame.towards_sun) > 0 ? sun_visibility(position_eye, normal) : 0;
-    colour = from_environment(s, to_eye) * sky_share(position_eye, normal) + from_lamps(s, position_eye, to_eye);
-    if (visibility > 0)
-      colour += reflect_light(s, to_eye, frame.towards_sun, sun_alpha) * frame.sun_illuminance * visibility;
-    if (has_emissive) colour += texelFetch(emissive_map, pixel, 0).rgb;
-  }
+  vec3 colour = vec3(0);
+  if (!has_surfaces || depth <= 0) colour = visible_sky(normalize(ray));
+  else if (has_lit) colour = lit_surface(pixel, ray, depth, visibility);
+  else colour = own_light(pixel);
   imageStore(lit_out, pixel, vec4(min(colour, vec3(brightest)), 1));
   if (keeps_visibility) imageStore(visibility_out, pixel, vec4(visibility));
 }

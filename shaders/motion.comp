@@ -6,7 +6,8 @@
 layout(constant_id = 0) const bool objects_moved = false;
 layout(constant_id = 1) const bool keeps_previous_depth = false;
 layout(constant_id = 2) const bool keeps_depth = false;
-layout(constant_id = 3) const bool keeps_tagged_depth = false;
+layout(constant_id = 3) const bool has_surfaces = false;
+layout(constant_id = 4) const bool has_tags = false;
 
 layout(set = 0, binding = MOTION_DEPTH) uniform texture2D depth_map;
 layout(set = 0, binding = MOTION_TAG) uniform utexture2D tag_map;
@@ -14,7 +15,6 @@ layout(set = 0, binding = MOTION_OF_OBJECTS) uniform texture2D object_motion;
 layout(set = 0, binding = MOTION_OUT, rg32f) uniform writeonly image2D motion_out;
 layout(set = 0, binding = MOTION_PREVIOUS_DEPTH_OUT, r32f) uniform writeonly image2D previous_depth_out;
 layout(set = 0, binding = MOTION_DEPTH_OUT, r32f) uniform writeonly image2D depth_out;
-layout(set = 0, binding = MOTION_TAGGED_DEPTH_OUT, r32f) uniform writeonly image2D tagged_depth_out;
 
 /// Motion of what rests, in pixels, and where it was along last frame's view axis. Written as differences from this
 /// frame, so that a camera at rest gives exactly 0.
@@ -31,7 +31,7 @@ vec3 motion_of_world(vec2 pixel, float depth) {
 
 void main() {
   pixel_or_return(pixel);
-  float depth = texelFetch(depth_map, pixel, 0).r;
+  float depth = has_surfaces ? texelFetch(depth_map, pixel, 0).r : 0;
   vec3 motion = motion_of_world(vec2(pixel) + 0.5, depth);
   if (objects_moved) {
     vec4 of_object = texelFetch(object_motion, pixel, 0);
@@ -39,7 +39,8 @@ void main() {
   }
   imageStore(motion_out, pixel, vec4(motion.xy, 0, 0));
   if (keeps_previous_depth) imageStore(previous_depth_out, pixel, vec4(motion.z, 0, 0, 0));
-  if (keeps_depth) imageStore(depth_out, pixel, vec4(depth, 0, 0, 0));
-  if (keeps_tagged_depth)
-    imageStore(tagged_depth_out, pixel, vec4(with_tag(depth, texelFetch(tag_map, pixel, 0).r), 0, 0, 0));
+  if (keeps_depth) {
+    uint tag = has_tags ? texelFetch(tag_map, pixel, 0).r : 0;
+    imageStore(depth_out, pixel, vec4(with_tag(depth, tag), 0, 0, 0));
+  }
 }

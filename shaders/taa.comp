@@ -67,13 +67,15 @@ void speakers_by_rank(ivec2 first, out Speaker speakers[R]) {
     bool moves = rank_of(best) > rank_of(own[i + 1]);
     if (dilation == dilation_depth_edges)
       moves = moves && (rank_of(best) > 1.2 * rank_of(own[i + 1]) || object_at(at) != object_at(pixel));
+    if (asks_neighbours) moves = moves && push.dilates != 0;
     if (!moves) best = own[i + 1], at = pixel;
     speakers[i] = dilation == dilation_longest ? speaker_at(at) : speaker_with(at, best);
   }
 }
 
 void speakers_of(ivec2 first, out Speaker speakers[R]) {
-  if (dilation != dilation_centre && (has_history || writes != 0 || tests_tags())) speakers_by_rank(first, speakers);
+  bool asks = dilation != dilation_centre || asks_neighbours;
+  if (asks && (has_history || writes != 0 || tests_tags())) speakers_by_rank(first, speakers);
   else
     for (int i = 0; i < R; ++i) speakers[i] = speaker_at(inside(first + ivec2(0, i)));
 }

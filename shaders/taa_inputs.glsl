@@ -20,6 +20,9 @@ layout(constant_id = TAA_HAS_HISTORY_ID) const bool has_history = false;
 layout(constant_id = TAA_READS_TAGS_ID) const bool reads_tags = false;
 layout(constant_id = TAA_WRITES_ID) const uint writes = 0;
 layout(constant_id = TAA_STORE_ID) const uint store = 0;
+layout(constant_id = TAA_HAS_MOTION_ID) const bool has_motion = false;
+layout(constant_id = TAA_HAS_SURFACES_ID) const bool has_surfaces = false;
+layout(constant_id = TAA_ASKS_NEIGHBOURS_ID) const bool asks_neighbours = false;
 
 bool rejects(uint test) { return (reject & test) != 0; }
 bool writes_to(uint what) { return (writes & what) != 0; }
@@ -76,11 +79,11 @@ ivec2 last_pixel() { return ivec2(frame.size_px) - 1; }
 ivec2 inside(ivec2 pixel) { return clamp(pixel, ivec2(0), last_pixel()); }
 
 vec3 colour_at(ivec2 pixel) { return finite(fetch(colour_map, pixel).rgb); }
-/// Where tags are read, a depth has as many bits as a tagged one has.
-float loaded_depth(ivec2 pixel) { return fetch(depth_map, pixel).r; }
-float comparable_depth(float loaded) { return reads_tags ? without_tag(loaded) : loaded; }
+/// The sky's where there is nothing else.
+float loaded_depth(ivec2 pixel) { return has_surfaces ? fetch(depth_map, pixel).r : 0; }
+float comparable_depth(float loaded) { return without_tag(loaded); }
 float depth_at(ivec2 pixel) { return comparable_depth(loaded_depth(pixel)); }
-vec2 motion_at(ivec2 pixel) { return fetch(motion_map, pixel).xy; }
+vec2 motion_at(ivec2 pixel) { return has_motion ? fetch(motion_map, pixel).xy : vec2(0); }
 /// By what a pixel is chosen to speak for those around it, as it is loaded; and what of it counts.
 float rank_at(ivec2 pixel) {
   if (dilation != dilation_longest) return loaded_depth(pixel);
@@ -89,6 +92,6 @@ float rank_at(ivec2 pixel) {
   return isnan(length_squared) ? -1 : length_squared;
 }
 float rank_of(float loaded) { return dilation == dilation_longest ? loaded : comparable_depth(loaded); }
-uint object_at(ivec2 pixel) { return texelFetch(object_map, pixel, 0).r; }
+uint object_at(ivec2 pixel) { return has_surfaces ? texelFetch(object_map, pixel, 0).r : 0; }
 
 #endif

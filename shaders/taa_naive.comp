@@ -31,7 +31,7 @@ Neighbourhood gather(ivec2 pixel) {
 
 /// The pixel whose motion speaks for this one. Of equals the pixel itself, then the first.
 ivec2 place_of_speaker(ivec2 pixel) {
-  if (dilation == dilation_centre) return pixel;
+  if (dilation == dilation_centre && !asks_neighbours) return pixel;
   ivec2 best = pixel;
   float own = rank_of(rank_at(pixel)), most = own;
   for (int y = -1; y <= 1; ++y)
@@ -41,6 +41,7 @@ ivec2 place_of_speaker(ivec2 pixel) {
       if (rank > most) best = at, most = rank;
     }
   bool edge = dilation != dilation_depth_edges || most > 1.2 * own || object_at(best) != object_at(pixel);
+  if (asks_neighbours) edge = edge && push.dilates != 0;
   return edge ? best : pixel;
 }
 

@@ -186,8 +186,8 @@ Resolve resolve(Reprojected r, Rejection j, vec3 centre, vec3 blurred, vec3 boun
 vec3 rounded(vec3 colour, ivec2 pixel) {
   const uint unit = 8192, arithmetic = 16;  // of a float's significand: of a half float, and that may be wrong
   uint seed = uint(pixel.x) * 3242174889u + uint(pixel.y) * 2447445413u + push.frame * 2654435769u;
-  uvec3 turn = (uvec3(seed) + uvec3(0, 1431655765u, 2863311530u)) >> 19;
-  uvec3 bits = floatBitsToUint(clamp(colour, vec3(0), vec3(65504)));
+  uint turn = seed >> 19;  // of all channels: a grey stays grey
+  uvec3 bits = floatBitsToUint(min(colour, vec3(65504)));
   return uintBitsToFloat((bits + clamp(turn, arithmetic, unit - arithmetic)) & ~(unit - 1));
 }
 vec3 stored(vec3 colour, ivec2 pixel) {

@@ -1,5 +1,7 @@
 #include "renderer/gpu/frame_graph.h"
 
+#include <algorithm>
+
 #include "renderer/gpu/graph_runner.h"
 
 namespace unghost {
@@ -32,6 +34,13 @@ Binding buffer(uint32_t slot, BufferSlice buffer) {
   return {.slot = slot, .buffer = buffer, .type = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER};
 }
 
+bool FrameGraph::needed(bool is, const LeftOut& thing, std::initializer_list<ImageRef> images) {
+  if (is || (keeping_.all && keeping_.but != thing.what)) return true;
+  for (const ImageRef image : images) images_[image.index].left_out = true;
+  if (std::ranges::find(left_out_, thing.what, &LeftOut::what) == left_out_.end()) left_out_.push_back(thing);
+  return false;
+}
+
 ImageRef FrameGraph::image(ImageDesc desc) {
   images_.push_back({.desc = std::move(desc)});
   return {uint32_t(images_.size() - 1)};
@@ -55,8 +64,9 @@ History FrameGraph::history(const std::string& key, ImageDesc desc, bool reset) 
   const auto found = kept_.find(before);
   const bool valid = !reset && found != kept_.end() && found->second.frame + 1 == frame_ &&
                      same_place(found->second.desc, desc);
-  desc.name = key;
-  History history{.previous = valid ? keep({.desc = desc, .key = before, .holds_content = true})
+  ImageDesc last = desc;
+  desc.name = key, last.name = "last frame's " + key;
+  History history{.previous = valid ? keep({.desc = last, .key = before, .holds_content = true})
                                     : neutral(desc.format),
                   .next = keep({.desc = desc, .key = now}),
                   .valid = valid};

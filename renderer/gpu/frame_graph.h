@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <initializer_list>
 #include <map>
 #include <optional>
 #include <span>
@@ -12,6 +13,7 @@
 #include <string_view>
 #include <vector>
 
+#include "renderer/gpu/frame_report.h"
 #include "renderer/gpu/image.h"
 #include "shaders/shared/workgroup.h"
 
@@ -130,7 +132,14 @@ struct Cache {
 class FrameGraph {
 public:
   /// `kept` outlives the graph; frame counts up by 1 from frame to frame.
-  FrameGraph(KeptImages& kept, uint64_t frame) : kept_(kept), frame_(frame) {}
+  FrameGraph(KeptImages& kept, uint64_t frame, Keeping keeping = {})
+      : kept_(kept), frame_(frame), keeping_(std::move(keeping)) {}
+
+  /// Whether `thing` is made: where it `is` needed, or where everything is kept. The one place through which
+  /// a frame leaves something out that depends on the scene, the mode or a setting; what is left out is
+  /// written down. `images` are made for nothing else: where it is left out, they live only if somebody reads
+  /// them.
+  bool needed(bool is, const LeftOut& thing, std::initializer_list<ImageRef> images = {});
 
   ImageRef image(ImageDesc desc);
   /// 1x1 and zero: keeps a descriptor valid where there is nothing to read.
@@ -151,6 +160,7 @@ public:
     std::string key; // of a kept image; empty for one of this frame
     bool holds_content = false;
     uint64_t version = 0;
+    bool left_out = false; // what it is made for is
   };
   struct ReadbackRequest {
     ImageRef image;
@@ -162,6 +172,8 @@ public:
   const std::vector<ReadbackRequest>& readbacks() const { return readbacks_; }
   KeptImages& kept() const { return kept_; }
   uint64_t frame() const { return frame_; }
+  const Keeping& keeping() const { return keeping_; }
+  const std::vector<LeftOut>& left_out() const { return left_out_; }
   const ImageDesc& desc(ImageRef image) const { return images_[image.index].desc; }
 
 private:
@@ -169,6 +181,8 @@ private:
 
   KeptImages& kept_;
   uint64_t frame_;
+  Keeping keeping_;
+  std::vector<LeftOut> left_out_;
   std::vector<GraphImage> images_;
   std::vector<Pass> passes_;
   std::vector<ImageRef> wanted_;

@@ -126,6 +126,23 @@ void keep_together(const FrameGraph& graph, const std::vector<size_t>& running, 
   }
 }
 
+/// Where everything is kept, every image but those of the one thing that is not: it is named after its
+/// image or after the pass that writes them.
+std::vector<ImageRef> kept_for_nobody(const FrameGraph& graph) {
+  const auto& [all, but] = graph.keeping();
+  if (!all) return {};
+  std::vector<uint8_t> spared;
+  for (const FrameGraph::GraphImage& image : graph.images())
+    spared.push_back(image.left_out || image.desc.name == but);
+  for (const Pass& pass : graph.passes())
+    for (const Touch& touch : touches_of(graph, pass))
+      if (pass.name == but && touch.facts.writes) spared[touch.image.index] = 1;
+  std::vector<ImageRef> images;
+  for (uint32_t i = 0; i < spared.size(); ++i)
+    if (spared[i] == 0) images.push_back({i});
+  return images;
+}
+
 } // namespace
 
 FramePlan cull(const FrameGraph& graph) {
@@ -133,10 +150,11 @@ FramePlan cull(const FrameGraph& graph) {
   plan.images.resize(graph.images().size());
   // Whether what an image holds at this point, going backwards, is what somebody after it sees.
   std::vector<uint8_t> seen(plan.images.size(), 0);
-  for (const ImageRef wanted : graph.wanted()) {
-    plan.images[wanted.index].live = true;
-    seen[wanted.index] = 1;
-  }
+  for (const std::vector<ImageRef>& images : {graph.wanted(), kept_for_nobody(graph)})
+    for (const ImageRef wanted : images) {
+      plan.images[wanted.index].live = true;
+      seen[wanted.index] = 1;
+    }
 
   std::vector<size_t> running;
   for (size_t i = graph.passes().size(); i-- > 0;) {
@@ -164,6 +182,27 @@ FramePlan cull(const FrameGraph& graph) {
       image.first_pass = place;
     }
   return plan;
+}
+
+std::vector<LeftOut> unread(const FrameGraph& graph, const FramePlan& plan) {
+  constexpr const char* why = "nothing that is shown or kept reads it";
+  std::vector<LeftOut> left_out;
+  const auto would_be_made = [&](ImageRef image) {
+    const FrameGraph::GraphImage& declared = graph.images()[image.index];
+    const bool counts = declared.desc.extent.width > 1 || declared.desc.extent.height > 1;
+    return counts && !plan.images[image.index].live && !declared.left_out;
+  };
+  const auto add = [&](const std::string& what) {
+    if (std::ranges::find(left_out, what, &LeftOut::what) == left_out.end()) left_out.push_back({what, why});
+  };
+  for (size_t i = 0; i < graph.passes().size(); ++i) {
+    const Pass& pass = graph.passes()[i];
+    const bool runs = std::ranges::find(plan.passes, i, &PlannedPass::pass) != plan.passes.end();
+    for (const Touch& touch : touches_of(graph, pass))
+      if (touch.facts.writes && would_be_made(touch.image))
+        add(runs ? graph.desc(touch.image).name : pass.name);
+  }
+  return left_out;
 }
 
 void derive_barriers(const FrameGraph& graph, FramePlan& plan, std::span<const uint32_t> place,

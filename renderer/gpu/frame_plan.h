@@ -49,9 +49,11 @@ struct FramePlan {
   std::vector<PlannedImage> images; // as many as the graph's
 };
 
-/// Culls backwards from what is wanted. A raster pass keeps running without those attachments that nobody
-/// reads; a compute pass writes them to 1x1 images.
+/// Culls backwards from what is wanted; where everything is kept, from every image there is. A raster pass
+/// keeps running without those attachments that nobody reads; a compute pass writes them to 1x1 images.
 FramePlan cull(const FrameGraph& graph);
+/// What was declared and is not made because nobody reads it: passes, and images of the passes that run.
+std::vector<LeftOut> unread(const FrameGraph& graph, const FramePlan& plan);
 /// Fills in the barriers. `place[i]` is where graph image i lives, `states[place]` who touched that place
 /// last: before the frame, and after it on return.
 void derive_barriers(const FrameGraph& graph, FramePlan& plan, std::span<const uint32_t> place,

@@ -16,9 +16,10 @@ VkImageUsageFlags usage_of_kept(VkFormat format) {
                                  : VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT);
 }
 
-bool same(const GpuImageDesc& a, const GpuImageDesc& b) {
-  return a.format == b.format && a.usage == b.usage && a.extent.width == b.extent.width &&
-         a.extent.height == b.extent.height;
+/// An image that can be used in more ways serves, too.
+bool serves(const GpuImageDesc& there, const GpuImageDesc& wanted) {
+  return there.format == wanted.format && (there.usage & wanted.usage) == wanted.usage &&
+         there.extent.width == wanted.extent.width && there.extent.height == wanted.extent.height;
 }
 
 void record_barriers(VkCommandBuffer commands, const std::vector<ImageBarrier>& barriers,
@@ -72,7 +73,7 @@ uint32_t GraphRunner::place_for(const FrameGraph::GraphImage& image, const Plann
   if (!image.key.empty()) desc.usage |= usage_of_kept(desc.format);
   uint32_t place = 0;
   const auto fits = [&](const Place& other) {
-    return other.key == image.key && !other.taken && (!image.key.empty() || same(other.desc, desc));
+    return other.key == image.key && !other.taken && (!image.key.empty() || serves(other.desc, desc));
   };
   while (place < pool_.size() && !fits(pool_[place])) ++place;
   if (place == pool_.size()) { // none fits: one that was forgotten, or another one more
@@ -84,7 +85,7 @@ uint32_t GraphRunner::place_for(const FrameGraph::GraphImage& image, const Plann
     states_.push_back({});
   }
   Place& chosen = pool_[place];
-  if (chosen.image == nullptr || !same(chosen.desc, desc)) {
+  if (chosen.image == nullptr || !serves(chosen.desc, desc)) {
     states_[place] = {};
     chosen = {.desc = desc, .key = image.key, .image = std::make_unique<GpuImage>(device_, desc)};
     if (image.key.starts_with(neutral_prefix)) clear_neutral(place);
@@ -176,7 +177,7 @@ RunResult GraphRunner::run(const FrameGraph& graph) {
       record_barriers(commands, plan.passes[i].barriers, graph, image_of);
       PassCommands pass_commands(context, pass, commands);
       pass.record(pass_commands);
-      result.passes.push_back({.name = pass.name, .dispatched = pass_commands.dispatched()});
+      result.passes.push_back({.name = pass.name, .pipelines = pass_commands.used()});
       vkCmdWriteTimestamp2(commands, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, queries_, uint32_t(i + 1));
     }
   });
@@ -187,23 +188,38 @@ RunResult GraphRunner::run(const FrameGraph& graph) {
   return result;
 }
 
+void GraphRunner::count_images(const FrameGraph& graph, const FramePlan& plan,
+                               const std::vector<uint32_t>& places, RunResult& result) const {
+  std::map<uint32_t, UsedImage> used; // by place
+  for (size_t i = 0; i < plan.passes.size(); ++i)
+    for (size_t image = 0; image < places.size(); ++image) {
+      if (places[image] == nowhere || plan.images[image].first_pass != i) continue;
+      const Place& place = pool_[places[image]];
+      const auto [found, first] = used.try_emplace(places[image]);
+      UsedImage& here = found->second;
+      const std::string& name = graph.images()[image].desc.name;
+      here.name += (first ? "" : ", ") + name;
+      here.bytes = place.image->bytes;
+      if (first) result.passes[i].image_bytes += here.bytes;
+    }
+  for (auto& [place, image] : used) {
+    result.image_bytes += image.bytes;
+    result.images.push_back(std::move(image));
+  }
+}
+
 void GraphRunner::collect(const FrameGraph& graph, const FramePlan& plan, const std::vector<uint32_t>& places,
                           RunResult& result) {
   std::vector<uint64_t> ticks(plan.passes.size() + 1);
   check(vkGetQueryPoolResults(device_.handle(), queries_, 0, uint32_t(ticks.size()), ticks.size() * 8,
                               ticks.data(), 8, VK_QUERY_RESULT_64_BIT | VK_QUERY_RESULT_WAIT_BIT),
         "reading times");
-  std::vector<bool> counted(pool_.size(), false);
-  for (size_t i = 0; i < plan.passes.size(); ++i) {
-    PassTime& time = result.passes[i];
-    time.ms = double((ticks[i + 1] - ticks[i]) & device_.tick_mask()) * device_.nanoseconds_per_tick() * 1e-6;
-    for (size_t image = 0; image < places.size(); ++image)
-      if (places[image] != nowhere && plan.images[image].first_pass == i && !counted[places[image]]) {
-        time.image_bytes += pool_[places[image]].image->bytes;
-        counted[places[image]] = true;
-      }
-  }
-  for (const PassTime& pass : result.passes) result.image_bytes += pass.image_bytes;
+  for (size_t i = 0; i < plan.passes.size(); ++i)
+    result.passes[i].ms =
+        double((ticks[i + 1] - ticks[i]) & device_.tick_mask()) * device_.nanoseconds_per_tick() * 1e-6;
+  count_images(graph, plan, places, result);
+  result.left_out = graph.left_out();
+  for (LeftOut& thing : unread(graph, plan)) result.left_out.push_back(std::move(thing));
   for (size_t i = 0; i < graph.readbacks().size(); ++i) {
     const auto& [image, aspect] = graph.readbacks()[i];
     const ImageDesc& desc = graph.desc(image);

@@ -10,23 +10,12 @@
 
 namespace unghost {
 
-/// What a full-screen pass ran: a shader, and its specialization constants 0, 1, ...
-struct Dispatched {
-  std::string shader;
-  std::vector<uint32_t> constants;
-};
-
-struct PassTime {
-  std::string name;
-  double ms = 0;
-  uint64_t image_bytes = 0; // of the images that it is the first to touch
-  Dispatched dispatched;    // nothing for a pass that draws or copies
-};
-
 struct RunResult {
-  std::vector<PassTime> passes;
+  std::vector<PassReport> passes;
+  std::vector<UsedImage> images; // all that this frame touches, each once
+  std::vector<LeftOut> left_out;
   std::vector<std::vector<std::byte>> readbacks; // in the order they were asked for, rows without padding
-  uint64_t image_bytes = 0;                      // all images that this frame touches
+  uint64_t image_bytes = 0;                      // of all its images
 };
 
 class GraphRunner {
@@ -56,6 +45,8 @@ private:
   void prepare_queries(size_t count);
   void collect(const FrameGraph& graph, const FramePlan& plan, const std::vector<uint32_t>& places,
                RunResult& result);
+  void count_images(const FrameGraph& graph, const FramePlan& plan, const std::vector<uint32_t>& places,
+                    RunResult& result) const;
 
   Device& device_;
   Pipelines pipelines_;
@@ -96,18 +87,22 @@ public:
   void bind(const GraphicsDesc& desc, VkDescriptorSetLayout second_set);
   void bind_second_set(VkDescriptorSet set);
   void push(std::span<const std::byte> bytes);
-  const Dispatched& dispatched() const { return dispatched_; }
+  /// After `bind` and `push`.
+  void draw_indexed(uint32_t indices, uint32_t first_index, uint32_t first_vertex, uint32_t instance);
+  const std::vector<UsedPipeline>& used() const { return used_; }
 
 private:
   VkPipelineLayout layout(VkDescriptorSetLayout second_set) const;
   void push_bindings(VkPipelineBindPoint point, VkPipelineLayout layout);
   const GpuImage* placed(ImageRef image) const;
+  void note(const std::string& shader, const std::vector<uint32_t>& constants, const Pipeline& pipeline);
 
   Context context_;
   const Pass& pass_;
   VkCommandBuffer commands_;
   VkPipelineLayout bound_ = VK_NULL_HANDLE;
-  Dispatched dispatched_;
+  std::vector<UsedPipeline> used_;
+  size_t bound_pipeline_ = 0; // index into `used_`
 };
 
 } // namespace unghost

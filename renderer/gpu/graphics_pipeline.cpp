@@ -80,14 +80,15 @@ FixedState::FixedState(const GraphicsDesc& desc) : depth(depth_state(desc)) {
 
 } // namespace
 
-VkPipeline Pipelines::graphics(const GraphicsDesc& desc, VkPipelineLayout layout) {
+const Pipeline& Pipelines::graphics(const GraphicsDesc& desc, VkPipelineLayout layout) {
   const std::string key = key_of_graphics(desc, layout);
   if (const auto found = pipelines_.find(key); found != pipelines_.end()) return found->second;
-  const OwnedModule vertex = module(desc.vertex, desc.constants);
+  Pipeline pipeline;
+  const OwnedModule vertex = module(desc.vertex, desc.constants, pipeline);
   OwnedModule fragment;
   std::vector<VkPipelineShaderStageCreateInfo> stages{stage(VK_SHADER_STAGE_VERTEX_BIT, vertex)};
   if (!desc.fragment.empty()) {
-    fragment = module(desc.fragment, desc.constants);
+    fragment = module(desc.fragment, desc.constants, pipeline);
     stages.push_back(stage(VK_SHADER_STAGE_FRAGMENT_BIT, fragment));
   }
   const FixedState fixed(desc);
@@ -114,7 +115,8 @@ VkPipeline Pipelines::graphics(const GraphicsDesc& desc, VkPipelineLayout layout
   VkPipeline made = VK_NULL_HANDLE;
   check(vkCreateGraphicsPipelines(device_.handle(), VK_NULL_HANDLE, 1, &info, nullptr, &made),
         "making a pipeline");
-  return pipelines_.emplace(key, OwnedPipeline(device_.handle(), made)).first->second;
+  pipeline.handle = {device_.handle(), made};
+  return pipelines_.emplace(key, std::move(pipeline)).first->second;
 }
 
 } // namespace unghost

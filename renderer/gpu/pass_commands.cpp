@@ -51,19 +51,37 @@ void PassCommands::push_bindings(VkPipelineBindPoint point, VkPipelineLayout lay
 }
 
 void PassCommands::dispatch(const ComputePass& pass) {
-  std::vector<uint32_t>& constants = dispatched_.constants;
+  std::vector<uint32_t> constants;
   for (const Constant& constant : pass.constants) {
     constants.push_back(constant.value);
     for (const auto& [image, bit] : constant.if_live) constants.back() |= live(image) ? bit : 0;
   }
-  dispatched_.shader = pass.shader;
   bound_ = layout(VK_NULL_HANDLE);
-  const VkPipeline pipeline = context_.runner.pipelines_.compute(pass.shader, constants, bound_);
-  vkCmdBindPipeline(commands_, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline);
+  const Pipeline& pipeline = context_.runner.pipelines_.compute(pass.shader, constants, bound_);
+  note(pass.shader, constants, pipeline);
+  vkCmdBindPipeline(commands_, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline.handle);
   push_bindings(VK_PIPELINE_BIND_POINT_COMPUTE, bound_);
   push(pass.push);
   vkCmdDispatch(commands_, (pass.cover.width + pass.group.width - 1) / pass.group.width,
                 (pass.cover.height + pass.group.height - 1) / pass.group.height, 1);
+}
+
+void PassCommands::note(const std::string& shader, const std::vector<uint32_t>& constants,
+                        const Pipeline& pipeline) {
+  const auto found = std::ranges::find_if(
+      used_, [&](const UsedPipeline& used) { return used.shader == shader && used.constants == constants; });
+  bound_pipeline_ = size_t(found - used_.begin());
+  if (found == used_.end())
+    used_.push_back({.shader = shader,
+                     .constants = constants,
+                     .instructions = pipeline.instructions,
+                     .fetches = pipeline.fetches});
+}
+
+void PassCommands::draw_indexed(uint32_t indices, uint32_t first_index, uint32_t first_vertex,
+                                uint32_t instance) {
+  vkCmdDrawIndexed(commands_, indices, 1, first_index, int32_t(first_vertex), instance);
+  ++used_[bound_pipeline_].draws;
 }
 
 void PassCommands::push(std::span<const std::byte> bytes) {
@@ -153,8 +171,9 @@ VkFormat PassCommands::depth_format() const {
 
 void PassCommands::bind(const GraphicsDesc& desc, VkDescriptorSetLayout second_set) {
   const VkPipelineLayout wanted = layout(second_set);
-  vkCmdBindPipeline(commands_, VK_PIPELINE_BIND_POINT_GRAPHICS,
-                    context_.runner.pipelines_.graphics(desc, wanted));
+  const Pipeline& pipeline = context_.runner.pipelines_.graphics(desc, wanted);
+  note(desc.fragment.empty() ? desc.vertex : desc.vertex + " " + desc.fragment, desc.constants, pipeline);
+  vkCmdBindPipeline(commands_, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline.handle);
   if (bound_ == wanted) return;
   bound_ = wanted;
   push_bindings(VK_PIPELINE_BIND_POINT_GRAPHICS, bound_);

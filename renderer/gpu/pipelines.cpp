@@ -4,6 +4,7 @@
 
 #include "renderer/gpu/pipeline_parts.h"
 #include "renderer/gpu/sha256.h"
+#include "renderer/gpu/shader_contents.h"
 #include "renderer/gpu/specialize.h"
 
 namespace unghost {
@@ -42,7 +43,8 @@ std::vector<uint32_t> read_spirv(const std::filesystem::path& file, const std::s
 Pipelines::Pipelines(const Device& device, std::filesystem::path shaders)
     : device_(device), shaders_(std::move(shaders)) {}
 
-OwnedModule Pipelines::module(const std::string& file, const std::vector<uint32_t>& constants) {
+OwnedModule Pipelines::module(const std::string& file, const std::vector<uint32_t>& constants,
+                              Pipeline& pipeline) {
   auto found = spirv_.find(file);
   if (found == spirv_.end()) {
     if (sums_.empty()) sums_ = read_sums(shaders_);
@@ -50,6 +52,9 @@ OwnedModule Pipelines::module(const std::string& file, const std::vector<uint32_
     found = spirv_.emplace(file, read_spirv(shaders_ / name, sums_[name])).first;
   }
   const std::vector<uint32_t> words = specialized(found->second, constants);
+  const ShaderContents contents = contents_of(words);
+  pipeline.instructions += contents.instructions;
+  pipeline.fetches += uint32_t(contents.fetches());
   const VkShaderModuleCreateInfo info{.sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO,
                                       .codeSize = words.size() * 4,
                                       .pCode = words.data()};
@@ -87,18 +92,20 @@ VkPipelineLayout Pipelines::layout(const LayoutDesc& desc) {
       .first->second.layout;
 }
 
-VkPipeline Pipelines::compute(const std::string& shader, const std::vector<uint32_t>& constants,
-                              VkPipelineLayout layout) {
+const Pipeline& Pipelines::compute(const std::string& shader, const std::vector<uint32_t>& constants,
+                                   VkPipelineLayout layout) {
   const std::string key = key_of(shader, list_of(constants), layout);
   if (const auto found = pipelines_.find(key); found != pipelines_.end()) return found->second;
-  const OwnedModule code = module(shader, constants);
+  Pipeline pipeline;
+  const OwnedModule code = module(shader, constants, pipeline);
   const VkComputePipelineCreateInfo info{.sType = VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO,
                                          .stage = stage(VK_SHADER_STAGE_COMPUTE_BIT, code),
                                          .layout = layout};
   VkPipeline made = VK_NULL_HANDLE;
   check(vkCreateComputePipelines(device_.handle(), VK_NULL_HANDLE, 1, &info, nullptr, &made),
         "making a pipeline");
-  return pipelines_.emplace(key, OwnedPipeline(device_.handle(), made)).first->second;
+  pipeline.handle = {device_.handle(), made};
+  return pipelines_.emplace(key, std::move(pipeline)).first->second;
 }
 
 } // namespace unghost

@@ -29,29 +29,35 @@ struct GraphicsDesc {
 
 inline constexpr uint32_t push_constant_bytes = 128;
 
+struct Pipeline {
+  OwnedPipeline handle;
+  uint32_t instructions = 0, fetches = 0; // as UsedPipeline counts them
+};
+
 class Pipelines {
 public:
   Pipelines(const Device& device, std::filesystem::path shaders);
 
   VkPipelineLayout layout(const LayoutDesc& desc);
-  VkPipeline compute(const std::string& shader, const std::vector<uint32_t>& constants,
-                     VkPipelineLayout layout);
+  const Pipeline& compute(const std::string& shader, const std::vector<uint32_t>& constants,
+                          VkPipelineLayout layout);
   /// Cull mode, front face, viewport, scissor and stencil reference are dynamic.
-  VkPipeline graphics(const GraphicsDesc& desc, VkPipelineLayout layout);
+  const Pipeline& graphics(const GraphicsDesc& desc, VkPipelineLayout layout);
 
 private:
   struct Layout {
     OwnedSetLayout set;
     OwnedLayout layout;
   };
-  OwnedModule module(const std::string& file, const std::vector<uint32_t>& constants);
+  /// What the module does is added to the counts of `pipeline`.
+  OwnedModule module(const std::string& file, const std::vector<uint32_t>& constants, Pipeline& pipeline);
 
   const Device& device_;
   std::filesystem::path shaders_;
   std::map<std::string, std::string> sums_;            // of the files of shaders, as they were built
   std::map<std::string, std::vector<uint32_t>> spirv_; // by file
   std::map<std::vector<uint64_t>, Layout> layouts_;
-  std::map<std::string, OwnedPipeline> pipelines_;
+  std::map<std::string, Pipeline> pipelines_;
 };
 
 } // namespace unghost

@@ -19,7 +19,6 @@ std::vector<VkVertexInputAttributeDescription> vertex_attributes() {
 
 GraphicsDesc pipeline_of(const PassCommands& commands, const DrawStyle& style, uint32_t features,
                          bool moved) {
-  features |= style.features;
   GraphicsDesc desc{.vertex = style.vertex,
                     .fragment = style.fragment,
                     .constants = {features, uint32_t(moved)},
@@ -59,7 +58,8 @@ void record_draws(PassCommands& commands, const FrameContext& in, const std::vec
   for (const Draw* draw : draws) {
     const bool moved = in.moved[draw->object] != 0, moved_before = before && in.moved[before->object] != 0;
     if (before == nullptr || before->features != draw->features || moved != moved_before)
-      commands.bind(pipeline_of(commands, style, draw->features, moved), in.scene.textures.layout());
+      commands.bind(pipeline_of(commands, style, draw->features | in.more_features, moved),
+                    in.scene.textures.layout());
     if (before == nullptr || before->material != draw->material)
       commands.bind_second_set(in.scene.textures.set(draw->material));
     vkCmdSetCullMode(cmd, draw->double_sided || style.shadow ? VK_CULL_MODE_NONE : VK_CULL_MODE_BACK_BIT);
@@ -71,7 +71,7 @@ void record_draws(PassCommands& commands, const FrameContext& in, const std::vec
                         .material_index = draw->material,
                         .object_id = uint32_t(in.scene.object_nodes[draw->object] + 1)};
     commands.push(std::as_bytes(std::span(&push, 1)));
-    vkCmdDrawIndexed(cmd, draw->index_count, 1, draw->first_index, int32_t(draw->first_vertex), draw->object);
+    commands.draw_indexed(draw->index_count, draw->first_index, draw->first_vertex, draw->object);
     before = draw;
   }
 }

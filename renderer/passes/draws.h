@@ -7,8 +7,7 @@ namespace unghost {
 
 struct DrawStyle {
   std::string vertex, fragment;
-  uint32_t features = 0; // beside each draw's own
-  bool shadow = false;   // depth alone, biased; `fragment` only where a mask cuts holes
+  bool shadow = false; // depth alone, biased; `fragment` only where a mask cuts holes
 };
 
 /// The bindings of set 0 that drawing needs, FrameConstants included.

@@ -1,12 +1,34 @@
+#include <algorithm>
+
 #include "renderer/passes/draws.h"
 
 namespace unghost {
+namespace {
+
+/// What there is, and because of what the rest is left out.
+void decide(FrameGraph& graph, const FrameContext& in, GBuffer& g) {
+  const SceneTraits& traits = in.scene.traits;
+  g.surfaces = graph.needed(in.in_view.anything, {"g-buffer", "nothing is in view"},
+                            {g.albedo, g.normal, g.material, g.emissive, g.depth, g.object_motion, g.object});
+  if (!g.surfaces) return;
+  g.lit = graph.needed(traits.lit, {"light on surfaces", "every material is unlit"},
+                       {g.albedo, g.normal, g.material});
+  g.shines = graph.needed(traits.emissive, {"emissive", "no material shines"}, {g.emissive});
+  g.moves = graph.needed(in.in_view.anything_moved, {"object motion", "no object in view moves"},
+                         {g.object_motion});
+  const bool asked =
+      std::ranges::any_of(in.modes, [](const ModeRun& run) { return run.taa.policy.needs_tags(); });
+  g.tagged = graph.needed(traits.tagged && asked,
+                          {"tags", traits.tagged ? "this mode asks for none" : "no object is tagged"});
+}
+
+} // namespace
 
 GBuffer draw_gbuffer(FrameGraph& graph, const FrameContext& in) {
   const auto image = [&](const char* name, VkFormat format) {
     return graph.image({.name = name, .format = format, .extent = in.size});
   };
-  const GBuffer gbuffer{
+  GBuffer gbuffer{
       .albedo = image("albedo", VK_FORMAT_R8G8B8A8_UNORM),
       .normal = image("normal", VK_FORMAT_R16G16_SNORM),
       .material = image("material", VK_FORMAT_R8G8B8A8_UNORM),
@@ -15,6 +37,7 @@ GBuffer draw_gbuffer(FrameGraph& graph, const FrameContext& in) {
       .object_motion = image("object motion", VK_FORMAT_R32G32B32A32_SFLOAT),
       .object = image("object", VK_FORMAT_R32_UINT),
   };
+  decide(graph, in, gbuffer);
   const VkClearValue zero{};
   std::vector<Attachment> attachments;
   for (const ImageRef target : {gbuffer.albedo, gbuffer.normal, gbuffer.material})
@@ -35,11 +58,7 @@ GBuffer draw_gbuffer(FrameGraph& graph, const FrameContext& in) {
                 if (commands.live(gbuffer.emissive)) fragment += ".emissive";
                 if (commands.live(gbuffer.object_motion)) fragment += ".motion";
                 if (commands.live(gbuffer.object)) fragment += ".object";
-                record_draws(commands, in, in.visible,
-                             {.vertex = "gbuffer.vert",
-                              .fragment = fragment,
-                              .features = (in.shifts_textures ? SHIFTS_TEXTURES : 0u) |
-                                          (in.biases_textures ? BIASES_TEXTURES : 0u)});
+                record_draws(commands, in, in.visible, {.vertex = "gbuffer.vert", .fragment = fragment});
                 commands.end_rendering();
               }});
   return gbuffer;

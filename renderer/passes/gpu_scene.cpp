@@ -43,7 +43,8 @@ std::vector<MaterialData> material_data(const Scene& scene) {
                    .coat_roughness = m.clearcoat_roughness,
                    .normal_scale = m.normal_scale,
                    .occlusion_strength = m.occlusion_strength,
-                   .alpha_cutoff = m.alpha_cutoff});
+                   // what is not masked passes the test where everything is tested
+                   .alpha_cutoff = m.alpha_mode == AlphaMode::mask ? m.alpha_cutoff : 0});
   return all;
 }
 
@@ -86,6 +87,9 @@ GpuScene::GpuScene(Device& device, const Scene& scene)
                        .bounds = primitive.bounds});
       traits.tagged |= node.tag != 0;
       traits.emissive |= shines(material);
+      traits.lit |= !material.unlit;
+      traits.masked |= material.alpha_mode == AlphaMode::mask;
+      traits.features &= draws.back().features;
     }
     object_nodes.push_back(int(n));
   }

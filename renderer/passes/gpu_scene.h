@@ -21,6 +21,8 @@ struct Draw {
 /// What the scene has at all, found once when it is loaded: a list that is empty is never looped over.
 struct SceneTraits {
   bool tagged = false, emissive = false;
+  bool lit = false, masked = false; // some material is
+  uint32_t features = ~0u;          // bits of frame.h that every draw has
 };
 
 struct GpuScene {

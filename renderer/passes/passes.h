@@ -13,6 +13,12 @@ struct DepthRange {
   float deepest_m = 0, length_m = 0;
 };
 
+/// What there is of the scene, even where more than that is drawn.
+struct InView {
+  bool anything = false, anything_moved = false; // to the camera
+  bool moving_casters = false;                   // to the sun
+};
+
 /// What a pass is told of the frame. The same for all passes that share a jitter.
 struct FrameContext {
   const GpuScene& scene;
@@ -30,18 +36,22 @@ struct FrameContext {
   std::vector<const Draw*> casters; // that may throw a shadow into the shadow map's square
   std::vector<uint8_t> moved;       // by object: whether it is elsewhere than last frame
   std::vector<uint8_t> mirrored;    // by object: whether its triangles are turned inside out
-  bool anything_moved = false;
+  InView in_view;
+  bool camera_moved = false;
+  bool sun_shines = false;             // or somebody looks at its shadows
+  uint32_t more_features = 0;          // beside each draw's own: bits of frame.h
   uint32_t shadow_texels = 0;          // along a side of the map
   uint64_t shadow_version = 0;         // changes with whatever the shadows of what rests depend on
   std::vector<uint8_t> policy_changed; // by mode: its history is of another policy
   DepthRange tagged;
   bool timed = false;
-  bool shifts_textures = false; // back by the jitter
-  bool biases_textures = false;
 };
 
-/// What nobody reads of these is not drawn.
+/// What nobody reads of these is not drawn. Where a flag says that there is none, nobody reads what would say
+/// more of it.
 struct GBuffer {
+  bool surfaces = false;                                           // anything but the sky
+  bool lit = false, shines = false, moves = false, tagged = false; // some of them
   ImageRef albedo;        // RGBA8, square root of the albedo; a: ambient occlusion
   ImageRef normal;        // RG16 SNORM, octahedral, world axes
   ImageRef material;      // RGBA8: roughness (0: unlit), metalness, coat, coat roughness
@@ -52,10 +62,10 @@ struct GBuffer {
 };
 
 struct Motion {
+  bool moves = false;      // some pixel
   ImageRef motion_px;      // RG32F
   ImageRef previous_depth; // R32F, metres
-  ImageRef depth;          // R32F: the G-buffer's depth, in a format that can be loaded without a sampler
-  ImageRef tagged_depth;   // R32F: the same, its last 8 bits the tag
+  ImageRef depth; // R32F, to be loaded without a sampler: the G-buffer's depth, its last 8 bits the tag
 };
 
 struct Lit {
@@ -76,6 +86,7 @@ struct TaaInputs {
   Motion motion;
 };
 
+/// None where no sun is seen.
 ImageRef draw_shadow_map(FrameGraph& graph, const FrameContext& in);
 GBuffer draw_gbuffer(FrameGraph& graph, const FrameContext& in);
 Motion resolve_motion(FrameGraph& graph, const FrameContext& in, const GBuffer& gbuffer);

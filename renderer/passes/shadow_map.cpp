@@ -31,11 +31,17 @@ void draw_casters(FrameGraph& graph, const FrameContext& in, const char* name, b
 } // namespace
 
 ImageRef draw_shadow_map(FrameGraph& graph, const FrameContext& in) {
+  const bool lights_something = in.in_view.anything && in.scene.traits.lit;
+  if (!graph.needed(
+          in.sun_shines && lights_something,
+          {"shadow map", lights_something ? "the sun does not shine" : "the sun lights nothing in view"}))
+    return {};
   const VkExtent2D side{in.shadow_texels, in.shadow_texels};
   const Cache rests =
       graph.cache("shadows of what rests", {.format = shadow_format, .extent = side}, in.shadow_version);
   if (!rests.valid) draw_casters(graph, in, "shadows of what rests", false, {rests.image, far_away});
-  if (!in.anything_moved) return rests.image;
+  if (!graph.needed(in.in_view.moving_casters, {"shadows of what moves", "nothing that throws one moves"}))
+    return rests.image;
 
   const ImageRef all = graph.image({.name = "shadows", .format = shadow_format, .extent = side});
   graph.pass({.name = "copy shadows",

@@ -5,7 +5,7 @@ namespace unghost {
 
 ImageRef sharpen(FrameGraph& graph, const FrameContext& in, ImageRef colour, size_t place) {
   const float amount = in.modes[place].taa.sharpen;
-  if (amount == 0) return colour;
+  if (!graph.needed(amount != 0, {"sharpen", "sharpen is 0"})) return colour;
   const ImageRef crisp =
       graph.image({.name = "crisp", .format = VK_FORMAT_R16G16B16A16_SFLOAT, .extent = in.size});
   const auto bytes = std::as_bytes(std::span(&amount, 1));

@@ -8,32 +8,40 @@ constexpr VkFormat colour_format = VK_FORMAT_R16G16B16A16_SFLOAT, motion_format 
                    depth_format = VK_FORMAT_R32_SFLOAT, object_format = VK_FORMAT_R32_UINT,
                    count_format = VK_FORMAT_R32_SFLOAT;
 
+constexpr const char* no_history = "this mode keeps none";
+
 /// What one mode keeps from frame to frame; where it does not keep one, `previous` is neutral and `next` 1x1.
 struct Kept {
   History colour, count, motion, depth, objects;
   uint32_t writes = 0; // TAA_WRITES_ bits
-  bool valid = true;   // all that are kept hold last frame's
+  bool valid = true;   // all that the mode asks for hold last frame's
 };
 
 Kept kept_by(FrameGraph& graph, const FrameContext& in, size_t place) {
   const TaaPolicy& policy = in.modes[place].taa.policy;
   const bool reset = in.cut || in.policy_changed[place];
-  const std::string key = "history " + std::to_string(place);
   Kept kept;
-  const auto keep = [&](bool needed, const char* what, VkFormat format, uint32_t bit) {
-    if (!needed) return History{.previous = graph.neutral(format), .next = graph.image({"none", format})};
-    const History history = graph.history(what + key, {.format = format, .extent = in.size}, reset);
+  const auto keep = [&](bool asked, const LeftOut& thing, VkFormat format, uint32_t bit) {
+    if (!graph.needed(asked, thing))
+      return History{.previous = graph.neutral(format), .next = graph.image({"none", format})};
+    History history =
+        graph.history(thing.what + " " + std::to_string(place), {.format = format, .extent = in.size}, reset);
     kept.writes |= bit;
-    kept.valid = kept.valid && history.valid;
+    kept.valid = kept.valid && (history.valid || !asked);
+    if (!asked) history.previous = graph.neutral(format); // written for nobody
     return history;
   };
-  kept.colour = keep(true, "", colour_format, 0);
+  kept.colour = keep(policy.needs_history(), {"history", no_history}, colour_format, 0);
   const bool counts = policy.blend == Blend::counting || in.view == View::age;
-  kept.count = keep(counts, "count of ", count_format, TAA_WRITES_COUNT);
-  kept.valid = kept.colour.valid; // a count that begins late begins at 1
-  kept.motion = keep(policy.needs_previous_motion(), "motion of ", motion_format, TAA_WRITES_MOTION);
-  kept.depth = keep(policy.needs_previous_depth(), "depth of ", depth_format, TAA_WRITES_DEPTH);
-  kept.objects = keep(policy.needs_previous_objects(), "objects of ", object_format, TAA_WRITES_OBJECT);
+  kept.count =
+      keep(counts, {"history of counts", "this mode counts no frames"}, count_format, TAA_WRITES_COUNT);
+  kept.valid = policy.needs_history() && kept.colour.valid; // a count that begins late begins at 1
+  kept.motion = keep(policy.needs_previous_motion(), {"history of motion", "this mode compares none"},
+                     motion_format, TAA_WRITES_MOTION);
+  kept.depth = keep(policy.needs_previous_depth(), {"history of depth", "this mode compares none"},
+                    depth_format, TAA_WRITES_DEPTH);
+  kept.objects = keep(policy.needs_previous_objects(), {"history of objects", "this mode compares none"},
+                      object_format, TAA_WRITES_OBJECT);
   return kept;
 }
 
@@ -63,7 +71,8 @@ TaaPush push_of(const FrameContext& in, const TaaSettings& taa) {
           .motion_length_px = taa.motion_length_px,
           .speed_px = taa.speed_px,
           .depth_share = taa.depth_share,
-          .frame = uint32_t(in.index)};
+          .frame = uint32_t(in.index),
+          .dilates = taa.policy.dilation != Dilation::centre};
 }
 
 /// What the resolve takes from this frame and from the last one. What it has no use for is neutral, so that
@@ -72,9 +81,25 @@ struct Reading {
   FrameGraph& graph;
   const TaaPolicy& policy;
   const Kept& kept;
-  bool fast = true;     // loads from storage images
-  bool tags = false;    // asks for them, and there are any
-  bool by_taps = false; // of the history, through a sampler
+  bool fast = true;       // loads from storage images
+  bool surfaces = false;  // there is more than the sky
+  bool motion = false;    // there is any
+  bool tags = false;      // asks for them, and there are any
+  bool neighbours = true; // which of them speaks for a pixel is found out
+  bool by_taps = false;   // of the history, through a sampler
+
+  bool reads_anything() const { return kept.valid || kept.writes != 0; }
+  bool objects() const {
+    const bool compares = policy.needs_previous_objects() || (kept.writes & TAA_WRITES_OBJECT) != 0 ||
+                          (neighbours && policy.dilation == Dilation::depth_edges);
+    return surfaces && reads_anything() && compares;
+  }
+  bool depth() const {
+    const bool compares = policy.rejects(Reject::near_moving | Reject::depth) ||
+                          (kept.writes & TAA_WRITES_DEPTH) != 0 ||
+                          (neighbours && policy.dilation != Dilation::longest);
+    return surfaces && ((reads_anything() && compares) || tags);
+  }
 
   Binding read(uint32_t slot, ImageRef image) const {
     return fast ? storage_read(slot, image) : sampled(slot, image);
@@ -87,33 +112,42 @@ struct Reading {
   ImageRef no_floats() const { return graph.neutral(VK_FORMAT_R8_UNORM); }
 };
 
-Reading reading_of(FrameGraph& graph, const FrameContext& in, const TaaSettings& taa, const Kept& kept) {
+/// Without motion it is only tests that hear who speaks for a pixel.
+bool asks_neighbours(FrameGraph& graph, const TaaPolicy& policy, bool motion, bool tags) {
+  const bool dilates = policy.dilation != Dilation::centre;
+  const bool tests = policy.needs_previous_objects() || policy.rejects(Reject::near_moving | Reject::depth) ||
+                     (tags && policy.rejects(Reject::tag));
+  const char* why =
+      dilates ? "nothing moves, and no test asks who speaks for a pixel" : "this mode does not dilate";
+  return graph.needed(dilates && (motion || tests), {"depth of neighbours", why});
+}
+
+Reading reading_of(FrameGraph& graph, const FrameContext& in, const TaaInputs& inputs, const TaaSettings& taa,
+                   const Kept& kept) {
   const HistoryFilter filter = filter_for(in, taa.policy.history);
+  const bool tags =
+      inputs.gbuffer.tagged && graph.needed(taa.policy.needs_tags(), {"tags", "this mode asks for none"});
   return {.graph = graph,
           .policy = taa.policy,
           .kept = kept,
           .fast = taa.resolver == Resolver::fast,
-          .tags = taa.policy.needs_tags() && in.scene.traits.tagged,
+          .surfaces = inputs.gbuffer.surfaces,
+          .motion = inputs.motion.moves,
+          .tags = tags,
+          .neighbours = asks_neighbours(graph, taa.policy, inputs.motion.moves, tags),
           .by_taps = filter == HistoryFilter::catmull_rom_9 || filter == HistoryFilter::catmull_rom_5};
 }
 
-Binding depth_read(const Reading& r, const TaaInputs& inputs) {
-  const bool needed = (r.policy.needs_depth() && (r.kept.valid || r.kept.writes != 0)) || r.tags;
-  if (!r.fast) return sampled(TAA_DEPTH, needed ? inputs.gbuffer.depth : r.no_floats());
-  return r.read_if(needed, TAA_DEPTH, r.tags ? inputs.motion.tagged_depth : inputs.motion.depth,
-                   depth_format);
-}
-
 std::vector<Binding> reads_of_frame(const Reading& r, const TaaInputs& inputs) {
-  const bool longest = r.policy.dilation == Dilation::longest;
-  const bool motion = r.kept.valid || (r.kept.writes & TAA_WRITES_MOTION) != 0 || longest;
-  const bool objects = r.policy.needs_objects() && (r.kept.valid || r.kept.writes != 0);
+  const bool longest = r.neighbours && r.policy.dilation == Dilation::longest;
+  const bool motion = r.motion && (r.kept.valid || (r.kept.writes & TAA_WRITES_MOTION) != 0 || longest);
   return {r.read(TAA_COLOUR, inputs.colour),
           r.read_if(motion, TAA_MOTION, inputs.motion.motion_px, motion_format),
-          depth_read(r, inputs),
+          r.fast ? r.read_if(r.depth(), TAA_DEPTH, inputs.motion.depth, depth_format)
+                 : sampled(TAA_DEPTH, r.depth() ? inputs.gbuffer.depth : r.no_floats()),
           r.tags && !r.fast ? sampled_stencil(TAA_TAG, inputs.gbuffer.depth)
                             : sampled(TAA_TAG, r.no_integers()),
-          sampled(TAA_OBJECT, objects ? inputs.gbuffer.object : r.no_integers()),
+          sampled(TAA_OBJECT, r.objects() ? inputs.gbuffer.object : r.no_integers()),
           r.read_if(r.kept.valid && r.policy.needs_previous_depth(), TAA_EXPECTED_DEPTH,
                     inputs.motion.previous_depth, depth_format)};
 }
@@ -141,22 +175,20 @@ std::vector<Binding> writes_of(FrameGraph& graph, const TaaPolicy& policy, const
           storage_write(TAA_HISTORY_OUT, resolved.history)};
 }
 
-std::vector<Binding> bindings_of(FrameGraph& graph, const FrameContext& in, const TaaInputs& inputs,
-                                 const TaaSettings& taa, const Kept& kept, const Resolved& resolved) {
-  const Reading reading = reading_of(graph, in, taa, kept);
+std::vector<Binding> bindings_of(const FrameContext& in, const TaaInputs& inputs, const Reading& reading,
+                                 const Resolved& resolved) {
   std::vector<Binding> bindings{uniform(FRAME_BINDING, in.constants)};
   for (const std::vector<Binding>& part : {reads_of_frame(reading, inputs), reads_of_last_frame(reading),
-                                           writes_of(graph, taa.policy, kept, resolved)})
+                                           writes_of(reading.graph, reading.policy, reading.kept, resolved)})
     bindings.insert(bindings.end(), part.begin(), part.end());
   return bindings;
 }
 
 /// In the order of the TAA_..._ID constants.
-std::vector<Constant> constants_of(const FrameContext& in, const TaaSettings& taa, const Kept& kept,
+std::vector<Constant> constants_of(const FrameContext& in, const TaaSettings& taa, const Reading& r,
                                    const Resolved& resolved) {
-  const TaaPolicy& policy = taa.policy;
-  const bool reads_tags = policy.needs_tags() && in.scene.traits.tagged;
-  return {uint32_t(policy.dilation),
+  const TaaPolicy& policy = r.policy;
+  return {uint32_t(r.neighbours ? policy.dilation : Dilation::centre),
           uint32_t(filter_for(in, policy.history)),
           uint32_t(policy.ringing),
           uint32_t(policy.space),
@@ -166,17 +198,22 @@ std::vector<Constant> constants_of(const FrameContext& in, const TaaSettings& ta
           uint32_t(policy.reject),
           uint32_t(policy.blend),
           uint32_t(policy.keeps),
-          uint32_t(kept.valid),
-          uint32_t(reads_tags),
-          {kept.writes, {{resolved.why, TAA_WRITES_WHY}, {resolved.history, TAA_WRITES_HISTORY}}},
-          uint32_t(taa.store)};
+          uint32_t(r.kept.valid),
+          uint32_t(r.tags),
+          {r.kept.writes, {{resolved.why, TAA_WRITES_WHY}, {resolved.history, TAA_WRITES_HISTORY}}},
+          uint32_t(taa.store),
+          uint32_t(r.motion),
+          uint32_t(r.surfaces),
+          uint32_t(r.neighbours && policy.dilation == Dilation::centre)};
 }
 
 } // namespace
 
 Resolved resolve_taa(FrameGraph& graph, const FrameContext& in, const TaaInputs& inputs, size_t place) {
   const TaaSettings& taa = in.modes[place].taa;
-  if (!taa.policy.needs_history()) return {.colour = inputs.colour, .why = {}, .history = {}};
+  const bool keeps_history = taa.policy.needs_history();
+  if (!graph.needed(keeps_history, {"history", no_history}))
+    return {.colour = inputs.colour, .why = {}, .history = {}};
   const Kept kept = kept_by(graph, in, place);
   const auto image = [&](const char* name, VkFormat format) {
     return graph.image({.name = name, .format = format, .extent = in.size});
@@ -185,18 +222,20 @@ Resolved resolve_taa(FrameGraph& graph, const FrameContext& in, const TaaInputs&
                                                                       : image("resolved", colour_format),
                           .why = image("why", VK_FORMAT_R8G8B8A8_UNORM),
                           .history = image("history as used", colour_format)};
+  const Reading reading = reading_of(graph, in, inputs, taa, kept);
   const TaaPush push = push_of(in, taa);
   const auto bytes = std::as_bytes(std::span(&push, 1));
   const bool fast = taa.resolver == Resolver::fast;
   graph.compute({.name = "taa " + in.modes[place].name,
                  .shader = fast ? "taa.comp" : "taa_naive.comp",
-                 .constants = constants_of(in, taa, kept, resolved),
-                 .bindings = bindings_of(graph, in, inputs, taa, kept, resolved),
+                 .constants = constants_of(in, taa, reading, resolved),
+                 .bindings = bindings_of(in, inputs, reading, resolved),
                  .push = {bytes.begin(), bytes.end()},
                  .cover = in.size,
                  .group = fast ? VkExtent2D{TAA_GROUP_WIDTH, TAA_GROUP_HEIGHT}
                                : VkExtent2D{TAA_NAIVE_SIDE, TAA_NAIVE_SIDE}});
-  return resolved;
+  if (keeps_history) return resolved;
+  return {.colour = resolved.colour, .why = {}, .history = {}}; // the views know of none
 }
 
 } // namespace unghost

@@ -5,7 +5,7 @@ namespace unghost {
 
 ImageRef draw_view(FrameGraph& graph, const FrameContext& in, const ViewInputs& inputs) {
   const View view = in.view;
-  if (view == View::colour) return inputs.picture;
+  if (!graph.needed(view != View::colour, {"view", "the picture itself is shown"})) return inputs.picture;
 
   const ImageRef out = graph.image({.name = "view", .format = VK_FORMAT_R8G8B8A8_UNORM, .extent = in.size});
   // What this view does not look at is neutral, so that nothing is made for it.
@@ -30,8 +30,8 @@ ImageRef draw_view(FrameGraph& graph, const FrameContext& in, const ViewInputs& 
        .constants = {uint32_t(view), uint32_t(bool(inputs.resolved.why))},
        .bindings =
            {uniform(FRAME_BINDING, in.constants),
-            sampled(VIEW_PICTURE, only({View::motion, View::tag, View::rectified, View::tag_rejected,
-                                        View::near_moving, View::rejected},
+            sampled(VIEW_PICTURE, only({View::colour, View::motion, View::tag, View::rectified,
+                                        View::tag_rejected, View::near_moving, View::rejected},
                                        inputs.picture, colour)),
             sampled(VIEW_ALBEDO, only({View::albedo}, inputs.gbuffer.albedo, colour)),
             sampled(VIEW_NORMAL, only({View::normal}, inputs.gbuffer.normal, VK_FORMAT_R32G32_SFLOAT)),

@@ -65,6 +65,9 @@ SHARED_CONSTANT TAA_HAS_HISTORY_ID = 10; // without one the frame is taken as it
 SHARED_CONSTANT TAA_READS_TAGS_ID = 11;
 SHARED_CONSTANT TAA_WRITES_ID = 12; // the TAA_WRITES_ bits
 SHARED_CONSTANT TAA_STORE_ID = 13;
+SHARED_CONSTANT TAA_HAS_MOTION_ID = 14;
+SHARED_CONSTANT TAA_HAS_SURFACES_ID = 15;
+SHARED_CONSTANT TAA_ASKS_NEIGHBOURS_ID = 16; // of a row without dilation, whom they tell nothing
 
 /// What a resolve writes beside its result.
 SHARED_CONSTANT TAA_WRITES_COUNT = 1;   // of the frames that a history holds
@@ -85,6 +88,7 @@ struct TaaPush {
   float speed_px;                 // speed: faster than this
   float depth_share;              // depth: differs by more than this share
   uint frame;                     // seeds the rounding
+  uint dilates;                   // 0: where neighbours are asked in vain
 };
 
 SHARED_END

@@ -3,10 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <sstream>
 
 #include "app/files.h"
 #include "app/measure/stability/run.h"
 #include "app/paths.h"
+#include "renderer/gpu/sha256.h"
 #include "tests/app/child.h"
 #include "tests/app/scratch_folder.h"
 
@@ -44,7 +46,7 @@ constexpr Guard guards[] = {
     {"what rests and was behind the camera has no motion", "motion.comp", "if (along <= 0)", "if (false)",
      "motion.comp", "motion", "blend"},
     {"nor has what moves", "gbuffer.frag", "if (before.w <= 0)", "if (false)",
-     "gbuffer.frag.shading.emissive.motion.object", "motion", "blend"},
+     "gbuffer.frag.emissive.motion.object", "motion", "blend"},
 };
 
 /// The compiled shaders, one of them without its guard.
@@ -64,10 +66,20 @@ public:
       if (entry.path().filename() != changed)
         fs::create_symlink(entry.path(), shaders() / entry.path().filename());
     EXPECT_EQ(exit_of(compiler(guard.entry, sources, shaders() / changed)), 0);
+    write_sums(changed);
   }
   fs::path shaders() const { return folder_.path / "shaders"; }
 
 private:
+  /// Only what was built is loaded.
+  void write_sums(const std::string& changed) const {
+    std::istringstream lines(content_of(find_data_folders().shaders / "sums.txt"));
+    std::string sums;
+    for (std::string sum, file; lines >> sum >> file;)
+      sums += (file == changed ? Sha256::hex(content_of(shaders() / file)) : sum) + "  " + file + "\n";
+    fs::remove(shaders() / "sums.txt");
+    write_file(shaders() / "sums.txt", bytes_of(sums));
+  }
   /// What an entry's name has behind its stage is what it writes.
   static std::vector<std::string> compiler(const std::string& entry, const fs::path& sources,
                                            const fs::path& out) {
@@ -114,6 +126,22 @@ TEST(Guards, EachIsMissedWhereItIsTakenOut) {
     EXPECT_TRUE(cell.failed()) << guard.name << ": " << guard.mode << " in " << guard.row << " is still at "
                                << cell.survived.figure << " (" << cell.survived.where << ")";
   }
+}
+
+TEST(Guards, AFailureByChanceSaysHowItIsRepeated) {
+  const Guard range{"",
+                    pixel,
+                    "return store == store_dithered ? rounded(colour, pixel) :",
+                    "return store == store_dithered ? vec3(-1) :",
+                    resolve,
+                    "chance",
+                    "blend"};
+  const WithoutGuard without(range);
+  const StabilityCell cell = outcome_of(range, without.shaders());
+  EXPECT_TRUE(cell.failed());
+  EXPECT_TRUE(cell.survived.where.starts_with("unghost stability --case chance --seed 1 --trial "))
+      << cell.survived.where;
+  EXPECT_TRUE(cell.survived.where.ends_with(" --brief --modes blend")) << cell.survived.where;
 }
 
 } // namespace

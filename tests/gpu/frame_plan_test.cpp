@@ -9,9 +9,10 @@ namespace {
 constexpr VkFormat colour_format = VK_FORMAT_R16G16B16A16_SFLOAT;
 
 struct Declared {
-  KeptImages kept;
+  KeptImages kept{};
   uint64_t frame = 0;
-  FrameGraph graph{kept, frame};
+  Keeping keeping{};
+  FrameGraph graph{kept, frame, keeping};
 
   ImageRef image(const char* name, VkFormat format = colour_format) {
     return graph.image({.name = name, .format = format, .extent = {64, 32}});
@@ -39,6 +40,8 @@ struct Declared {
 };
 
 using Names = std::vector<std::string>;
+
+std::vector<LeftOut> unread_of(const Declared& d) { return unread(d.graph, cull(d.graph)); }
 
 TEST(FramePlan, RunsNothingThatNobodyWants) {
   Declared d;
@@ -105,6 +108,40 @@ TEST(FramePlan, KeepsAttachmentsTogetherThatSaySo) {
   EXPECT_TRUE(plan.images[beside.index].live);
   EXPECT_TRUE(plan.images[beside.index].needed);
   EXPECT_FALSE(plan.images[alone.index].needed);
+}
+
+TEST(FramePlan, WhatIsLeftOutIsWrittenDownOnce) {
+  Declared d;
+  const ImageRef motion = d.image("motion"), out = d.image("out"), unread = d.image("unread"),
+                 never = d.image("never");
+  EXPECT_TRUE(d.graph.needed(true, {"lamps", "there is none"}));
+  EXPECT_FALSE(d.graph.needed(false, {"motion", "nothing moves"}, {motion}));
+  EXPECT_FALSE(d.graph.needed(false, {"motion", "asked again"}, {motion}));
+  d.compute("makes three", {}, {motion, out, unread});
+  d.compute("never runs", {out}, {never});
+  d.graph.want(out);
+  ASSERT_EQ(d.graph.left_out().size(), 1u);
+  EXPECT_EQ(d.graph.left_out()[0].why, "nothing moves");
+  Names nobody_reads;
+  for (const LeftOut& thing : unread_of(d)) nobody_reads.push_back(thing.what);
+  EXPECT_EQ(nobody_reads, (Names{"unread", "never runs"})) << "the image of a pass that runs, and the pass";
+}
+
+TEST(FramePlan, EverythingIsKeptButOneThing) {
+  for (const std::string but : {"", "motion", "unread", "never runs"}) {
+    Declared d{.keeping = {.all = true, .but = but}};
+    const ImageRef motion = d.image("of motion"), out = d.image("out"), unread = d.image("unread"),
+                   never = d.image("never");
+    EXPECT_EQ(d.graph.needed(false, {"motion", "nothing moves"}, {motion}), but != "motion");
+    d.compute("makes three", {}, {motion, out, unread});
+    d.compute("never runs", {out}, {never});
+    d.graph.want(out);
+    const FramePlan plan = cull(d.graph);
+    EXPECT_EQ(plan.images[motion.index].live, but != "motion") << but;
+    EXPECT_EQ(plan.images[unread.index].live, but != "unread") << but;
+    EXPECT_EQ(plan.passes.size(), but == "never runs" ? 1u : 2u) << but;
+    EXPECT_TRUE(plan.images[out.index].live);
+  }
 }
 
 TEST(FramePlan, WhatIsOverwrittenUnseenIsNotMade) {

@@ -1,4 +1,7 @@
 // Motion vectors against double precision on the CPU.
+#include <cmath>
+
+#include "app/measure/stability/block_world.h"
 #include "app/measure/stability/motion_oracle.h"
 #include "renderer/view.h"
 #include "tests/renderer/studio.h"
@@ -65,6 +68,31 @@ TEST_F(Motion, ACutHasNone) {
   input.cut = true; // and `before` is where the frame before was
   const FrameResult result = studio->renderer.render(input);
   for (const float value : result.delivered[0].image.values) ASSERT_EQ(value, 0);
+}
+
+/// Why the host subtracts the camera in double: 1,000 km from the origin a float knows 6 cm.
+TEST(MotionInFloats, IsPixelsOffFarFromTheOrigin) {
+  const BlockWorld world{.side = 1, .origin = {1e6f, 0, -1e6f}};
+  const Instant before = block_instant(world, {});
+  Instant now = before, in_floats = before;
+  now.eye += glm::dvec3(0.013, 0.002, 0.011);
+  in_floats.eye = glm::dvec3(glm::vec3(now.eye));
+  const glm::dvec3 corner = glm::dvec3(world.origin) + glm::dvec3(0.5, 1, 0.5);
+  const glm::dvec2 exact = project(now, corner, 128, 72).pixel,
+                   found = project(in_floats, corner, 128, 72).pixel;
+  EXPECT_GT(glm::distance(exact, found), 0.02);
+}
+
+/// Why depth is reversed: beside 1 a float has no digits left for what is far.
+TEST(MotionInFloats, DepthTheOtherWayRoundLosesTheDistance) {
+  const float near_plane = 1e-4f;
+  for (const float distance : {0.5f, 10.0f, 900.0f}) {
+    const float reversed = near_plane / distance;
+    volatile float usual = 1 - near_plane / distance; // rounded to a float, as an image holds it
+    const float from_usual = usual < 1 ? near_plane / (1 - usual) : INFINITY;
+    EXPECT_NEAR(near_plane / reversed / distance, 1, 1e-6);
+    EXPECT_GT(std::abs(from_usual / distance - 1), 1e-5);
+  }
 }
 
 } // namespace

@@ -23,7 +23,7 @@ public:
     return alone_.resolve(inputs, runs, cut);
   }
   /// What the last frame's resolves ran, in the order of the runs.
-  const std::vector<ResolveRun>& ran() const { return alone_.ran(); }
+  const std::vector<UsedPipeline>& ran() const { return alone_.ran(); }
   std::filesystem::path shader_file(const std::string& shader) const {
     return data_.shaders / (shader + ".spv");
   }

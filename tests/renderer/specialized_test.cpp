@@ -1,24 +1,39 @@
 // What a row does not use is not in its pipeline.
+#include <fstream>
 #include <set>
 
+#include "renderer/gpu/shader_contents.h"
+#include "renderer/gpu/specialize.h"
 #include "shaders/shared/bindings.h"
 #include "shaders/shared/workgroup.h"
 #include "tests/renderer/resolve_bench.h"
-#include "tests/renderer/specialized.h"
 #include "tests/renderer/studio.h"
 
 namespace unghost {
 namespace {
 
+constexpr uint32_t glsl_log = 28;
+
+std::vector<uint32_t> words_of(const std::filesystem::path& file) {
+  std::vector<uint32_t> words(std::filesystem::file_size(file) / 4);
+  std::ifstream(file, std::ios::binary)
+      .read(reinterpret_cast<char*>(words.data()), std::streamsize(words.size() * 4));
+  return words;
+}
+
 class Pipelines : public ResolveBenchTest {
 protected:
   /// What each of the runs is specialized to in a frame that has a history.
-  std::vector<Specialized> specialize(const std::vector<ModeRun>& runs, bool first_frame = false) {
+  std::vector<ShaderContents> specialize(const std::vector<ModeRun>& runs, bool first_frame = false) {
     bench.resolve(Inputs(), runs, true);
     if (!first_frame) bench.resolve(Inputs(), runs, false);
-    std::vector<Specialized> results;
-    for (const ResolveRun& pass : bench.ran())
-      results.push_back(contents_of(bench.shader_file(pass.shader), pass.constants));
+    std::vector<ShaderContents> results;
+    for (const UsedPipeline& used : bench.ran()) {
+      const std::vector<uint32_t> words = words_of(bench.shader_file(used.shader));
+      results.push_back(contents_of(specialized(words, used.constants)));
+      EXPECT_EQ(results.back().instructions, used.instructions) << "what the frame says of itself";
+      EXPECT_EQ(uint32_t(results.back().fetches()), used.fetches);
+    }
     return results;
   }
 };
@@ -48,8 +63,11 @@ std::set<uint32_t> reads_of(const TaaPolicy& policy) {
   const auto add = [&](bool needed, std::initializer_list<uint32_t> bindings) {
     if (needed) reads.insert(bindings);
   };
-  add(policy.needs_depth() || policy.needs_tags(), {TAA_DEPTH});
-  add(policy.needs_objects(), {TAA_OBJECT});
+  const bool edges = policy.dilation == Dilation::depth_edges;
+  add(policy.dilation == Dilation::closest_depth || edges || policy.needs_tags() ||
+          policy.rejects(Reject::depth | Reject::near_moving),
+      {TAA_DEPTH});
+  add(policy.needs_previous_objects() || edges, {TAA_OBJECT});
   add(policy.blend == Blend::counting, {TAA_PREVIOUS_COUNT});
   add(policy.needs_previous_motion(), {TAA_PREVIOUS_MOTION});
   add(policy.needs_previous_depth(), {TAA_PREVIOUS_DEPTH, TAA_EXPECTED_DEPTH});
@@ -83,13 +101,13 @@ TEST_F(Pipelines, HoldWhatTheirRowAsksForAndNothingElse) {
   add("log", "rgb", &TaaPolicy::weighting, Weighting::log);
   add("undilated", "grand-tour", &TaaPolicy::dilation, Dilation::centre);
   add("accepting", "uncharted", &TaaPolicy::reject, Reject::off_screen);
-  const std::vector<Specialized> pipelines = specialize(runs);
+  const std::vector<ShaderContents> pipelines = specialize(runs);
   ASSERT_EQ(pipelines.size(), runs.size());
-  std::map<std::string, Specialized> of;
+  std::map<std::string, ShaderContents> of;
   for (size_t i = 0; i < runs.size(); ++i) {
     EXPECT_EQ(keys_of(pipelines[i].reads), reads_of(runs[i].taa.policy)) << runs[i].name;
     EXPECT_EQ(keys_of(pipelines[i].writes), writes_of(runs[i].taa.policy)) << runs[i].name;
-    EXPECT_EQ(pipelines[i].logarithms > 0, runs[i].name == "log") << runs[i].name;
+    EXPECT_EQ(pipelines[i].functions.contains(glsl_log), runs[i].name == "log") << runs[i].name;
     of[runs[i].name] = pipelines[i];
   }
   const std::pair<const char*, const char*> less_and_more[] = {
@@ -105,7 +123,7 @@ TEST_F(Pipelines, HoldWhatTheirRowAsksForAndNothingElse) {
 }
 
 TEST_F(Pipelines, ReadNothingButTheFrameWhereThereIsNoHistory) {
-  for (const Specialized& pipeline : specialize({run_of("blend"), run_of("dop32")}, true)) {
+  for (const ShaderContents& pipeline : specialize({run_of("blend"), run_of("dop32")}, true)) {
     EXPECT_EQ(keys_of(pipeline.reads), std::set<uint32_t>{TAA_COLOUR});
     EXPECT_EQ(keys_of(pipeline.writes), std::set<uint32_t>{TAA_OUT});
   }

@@ -94,6 +94,16 @@ Trial trial_of(const StabilityBench& bench, std::span<const ModeRun> modes, uint
   return trial;
 }
 
+/// What draws that trial again.
+std::string command_of(const StabilityBench& bench, std::span<const ModeRun> modes, uint64_t number) {
+  std::string words = "unghost stability --case chance --seed " + std::to_string(bench.seed) + " --trial " +
+                      std::to_string(number);
+  if (bench.endurance == Endurance::brief) words += " --brief";
+  if (modes.size() == stability_modes().size()) return words;
+  for (size_t i = 0; i < modes.size(); ++i) words += (i == 0 ? " --modes " : ",") + modes[i].name;
+  return words;
+}
+
 } // namespace
 
 std::vector<Survival> survive_chance(StabilityBench& bench, std::span<const ModeRun> modes) {
@@ -111,8 +121,7 @@ std::vector<Survival> survive_chance(StabilityBench& bench, std::span<const Mode
       for (size_t i = 0; i < input.modes.size(); ++i) {
         const auto mode = std::ranges::find(modes, input.modes[i].name, &ModeRun::name);
         worsen(survived[size_t(mode - modes.begin())], double(wrong_values(result.delivered[i].image)),
-               "unghost stability --case chance --seed " + std::to_string(bench.seed) + " --trial " +
-                   std::to_string(number));
+               command_of(bench, modes, number));
       }
     }
   }

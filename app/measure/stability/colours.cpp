@@ -65,6 +65,8 @@ bool lies_in_volume(const ResolveInputs& inputs, size_t pixel, const TaaSettings
   return glm::all(glm::lessThanEqual(off, reach + 1e-6));
 }
 
+constexpr uint32_t frames_kept = 16; // each of which stores it in another turn
+
 } // namespace
 
 /// A history that is the frame itself, with no weight of the new frame: where it lies in the volume it stays.
@@ -74,8 +76,9 @@ std::vector<Survival> survive_flat_colours(StabilityBench& bench, std::span<cons
   std::vector<Survival> survived(modes.size());
   for (const Flat& flat : flat_pictures()) {
     const ResolveInputs inputs = painted(64, 32, flat.paint);
-    const auto before = bench.resolve.resolve(inputs, runs, true),
-               after = bench.resolve.resolve(inputs, runs, false);
+    const auto before = bench.resolve.resolve(inputs, runs, true);
+    for (uint32_t frame = 1; frame + 1 < frames_kept; ++frame) bench.resolve.advance(inputs, runs, false);
+    const auto after = bench.resolve.resolve(inputs, runs, false);
     for (size_t mode = 0; mode < runs.size(); ++mode) {
       int most = 0;
       for (size_t i = 0; i < after[mode].size(); ++i)

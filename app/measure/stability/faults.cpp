@@ -12,7 +12,7 @@
 namespace unghost {
 namespace {
 
-constexpr uint32_t width = 160, height = 90, frames_before = 4, frames_after = 32;
+constexpr uint32_t width = 160, height = 48, frames_before = 4, frames_after = 32;
 constexpr int reach = 3; // pixels: nothing beyond may ever change
 constexpr float infinite = std::numeric_limits<float>::infinity();
 constexpr float faults[] = {std::numeric_limits<float>::quiet_NaN(), infinite, -infinite, -1, 65504, 1e30f};

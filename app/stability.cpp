@@ -37,7 +37,7 @@ Endurance endurance_of(const StabilityWords& words) {
   return words.brief ? Endurance::brief : words.long_run ? Endurance::long_run : Endurance::usual;
 }
 
-std::string text_of(const StabilityFigure& cell) {
+std::string text_of(const StabilityCell& cell) {
   return value_text(cell.value) + (!cell.pass ? "!" : cell.excuse.empty() ? "" : "~");
 }
 
@@ -52,34 +52,33 @@ std::string text_of(const StabilityTable& all, size_t first, size_t count) {
   table.add(bounds);
   for (const std::string& mode : modes_of(all)) {
     std::vector<std::string> line = {mode};
-    for (const StabilityColumn& column : columns)
-      line.push_back(text_of(*find_figure(all, mode, column.name)));
+    for (const StabilityColumn& column : columns) line.push_back(text_of(*find_cell(all, mode, column.name)));
     table.add(line);
   }
   return table.text();
 }
 
-bool worse(const StabilityFigure& a, const StabilityFigure& b) {
+bool worse(const StabilityCell& a, const StabilityCell& b) {
   return !a.value ? b.value.has_value() : b.value && *a.value > *b.value;
 }
 
 /// The worst of each case that has no excuse, and the excuses.
 void say_worst(const StabilityTable& table, std::ostream& out) {
   for (const StabilityColumn& column : table.columns) {
-    const StabilityFigure* worst = nullptr;
-    for (const StabilityFigure& cell : table.cells)
+    const StabilityCell* worst = nullptr;
+    for (const StabilityCell& cell : table.cells)
       if (cell.column == column.name && cell.excuse.empty() && (worst == nullptr || worse(cell, *worst)))
         worst = &cell;
     if (worst == nullptr || worst->value == 0.0) continue;
     out << column.name << ": worst " << worst->mode << ", " << value_text(worst->value) << " " << column.unit
         << " (" << worst->worst << ")" << (worst->pass ? "" : ": over its bound") << "\n";
   }
-  for (const StabilityFigure& cell : table.cells)
+  for (const StabilityCell& cell : table.cells)
     if (!cell.excuse.empty())
       out << "~ " << cell.mode << " in " << cell.column << ": " << cell.excuse << "\n";
 }
 
-/// Our own scene on rig `drive` for each worker that asks: the first to ask waits until it is loaded.
+/// Our own scene on rig `drive`, once for each worker that asks: no device is drawn on by two threads.
 class Asphalts {
 public:
   Asphalts(const CommandLine& line, const Console& console, size_t workers)
@@ -155,15 +154,15 @@ void stability(const CommandLine& line, Console& console) {
     request.begins = [&](std::string_view name) { progress.name(std::string(name)), progress.step(1); };
     result = run_stability(request);
   }
-  print(line, console, table_of(request, result));
+  print(line, console, result.table);
   for (const std::string& message : result.validation_messages) console.err << message << "\n";
   if (!result.validation_messages.empty())
     throw Failure(Exit::failed, "the validation layer has " +
                                     std::to_string(result.validation_messages.size()) + " complaints");
   asphalts.finish();
-  const auto failed = std::ranges::count_if(result.cells, &StabilityCell::failed);
+  const auto failed = std::ranges::count(result.table.cells, false, &StabilityCell::pass);
   if (failed > 0)
-    throw Failure(Exit::failed, std::to_string(failed) + " of " + std::to_string(result.cells.size()) +
+    throw Failure(Exit::failed, std::to_string(failed) + " of " + std::to_string(result.table.cells.size()) +
                                     (failed == 1 ? " cells is" : " cells are") + " over the bound");
 }
 

@@ -15,7 +15,7 @@ using nlohmann::json;
 
 constexpr const char* every_mode = "all";
 
-json json_of(const StabilityFigure& cell, const StabilityTable& table) {
+json json_of(const StabilityCell& cell, const StabilityTable& table) {
   const auto column = std::ranges::find(table.columns, cell.column, &StabilityColumn::name);
   json object = {
       {"mode", cell.mode},      {"case", cell.column}, {"value", cell.value ? json(*cell.value) : json()},
@@ -24,13 +24,13 @@ json json_of(const StabilityFigure& cell, const StabilityTable& table) {
   return object;
 }
 
-StabilityFigure figure_of(const json& object, const StabilityTable& table) {
-  StabilityFigure cell{.mode = object.at("mode"),
-                       .column = object.at("case"),
-                       .value = {},
-                       .worst = object.at("worst"),
-                       .excuse = object.value("excuse", ""),
-                       .pass = object.at("pass")};
+StabilityCell figure_of(const json& object, const StabilityTable& table) {
+  StabilityCell cell{.mode = object.at("mode"),
+                     .column = object.at("case"),
+                     .value = {},
+                     .worst = object.at("worst"),
+                     .excuse = object.value("excuse", ""),
+                     .pass = object.at("pass")};
   if (!object.at("value").is_null()) cell.value = object.at("value").get<double>();
   if (std::ranges::find(table.columns, cell.column, &StabilityColumn::name) == table.columns.end())
     throw std::invalid_argument("'" + cell.column + "' is none of its cases");
@@ -39,9 +39,9 @@ StabilityFigure figure_of(const json& object, const StabilityTable& table) {
 
 } // namespace
 
-const StabilityFigure* find_figure(const StabilityTable& table, const std::string& mode,
-                                   const std::string& column) {
-  const auto found = std::ranges::find_if(table.cells, [&](const StabilityFigure& cell) {
+const StabilityCell* find_cell(const StabilityTable& table, const std::string& mode,
+                               const std::string& column) {
+  const auto found = std::ranges::find_if(table.cells, [&](const StabilityCell& cell) {
     return cell.column == column && (cell.mode == mode || cell.mode == every_mode);
   });
   return found == table.cells.end() ? nullptr : &*found;
@@ -49,7 +49,7 @@ const StabilityFigure* find_figure(const StabilityTable& table, const std::strin
 
 std::vector<std::string> modes_of(const StabilityTable& table) {
   std::vector<std::string> modes;
-  for (const StabilityFigure& cell : table.cells)
+  for (const StabilityCell& cell : table.cells)
     if (cell.mode != every_mode && std::ranges::find(modes, cell.mode) == modes.end())
       modes.push_back(cell.mode);
   return modes.empty() ? std::vector<std::string>{every_mode} : modes;
@@ -75,7 +75,7 @@ json stability_json(const StabilityTable& table) {
   for (const StabilityColumn& column : table.columns)
     object["cases"].push_back(
         {{"name", column.name}, {"summary", column.summary}, {"unit", column.unit}, {"bound", column.bound}});
-  for (const StabilityFigure& cell : table.cells) object["cells"].push_back(json_of(cell, table));
+  for (const StabilityCell& cell : table.cells) object["cells"].push_back(json_of(cell, table));
   return object;
 }
 

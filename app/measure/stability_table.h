@@ -17,7 +17,7 @@ struct StabilityColumn {
 };
 
 /// One mode in one case; `mode` is "all" where the modes share what the case is about.
-struct StabilityFigure {
+struct StabilityCell {
   std::string mode, column;
   std::optional<double> value; // none where it is no number, which is over any bound
   std::string worst;           // where that was
@@ -29,12 +29,12 @@ struct StabilityTable {
   std::string version, device, driver, endurance;
   uint64_t seed = 1;
   std::vector<StabilityColumn> columns;
-  std::vector<StabilityFigure> cells; // column by column, mode by mode
+  std::vector<StabilityCell> cells; // column by column, mode by mode
 };
 
 /// The figure of that mode and column, or the one that all modes share. Nothing where there is none.
-const StabilityFigure* find_figure(const StabilityTable& table, const std::string& mode,
-                                   const std::string& column);
+const StabilityCell* find_cell(const StabilityTable& table, const std::string& mode,
+                               const std::string& column);
 /// By name, in the order of the cells.
 std::vector<std::string> modes_of(const StabilityTable& table);
 /// "0.00529", "2.4e-04", "0", "broken".

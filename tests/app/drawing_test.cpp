@@ -12,27 +12,16 @@
 
 #include "app/files.h"
 #include "app/png_file.h"
-#include "renderer/gpu/device.h"
+#include "tests/app/device_test.h"
 #include "tests/app/outcome.h"
-#include "tests/app/scratch_folder.h"
 
 namespace unghost {
 namespace {
 
 using nlohmann::json;
 
-class DrawingTest : public testing::Test {
+class DrawingTest : public DeviceTest {
 protected:
-  void SetUp() override {
-    try {
-      for (const DeviceFacts& device : list_devices())
-        if (device.usable) return;
-    } catch (const GpuError& error) {
-      GTEST_SKIP() << error.what();
-    }
-    GTEST_SKIP() << "no usable Vulkan device";
-  }
-
   std::string file(const std::string& name) const { return (folder.path / name).string(); }
   std::vector<uint8_t> bytes(const std::string& name) const { return read_file(file(name), 1 << 26); }
 
@@ -43,8 +32,6 @@ protected:
     EXPECT_EQ(drawn.exit, 0) << drawn.err;
     return drawn;
   }
-
-  ScratchFolder folder;
 };
 
 /// A file read back: every channel as floats, row by row.

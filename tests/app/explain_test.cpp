@@ -7,9 +7,8 @@
 
 #include "app/measure/frame_parts.h"
 #include "app/measure/quantile.h"
-#include "renderer/gpu/device.h"
+#include "tests/app/device_test.h"
 #include "tests/app/outcome.h"
-#include "tests/app/scratch_folder.h"
 
 namespace unghost {
 namespace {
@@ -54,18 +53,8 @@ TEST(FrameParts, AreSavedByWhatDiffersAlone) {
   EXPECT_EQ(kept, 3 + 4 * 2) << "a pass that is missing is not drawn to be timed";
 }
 
-class Explain : public testing::Test {
+class Explain : public DeviceTest {
 protected:
-  void SetUp() override {
-    try {
-      for (const DeviceFacts& device : list_devices())
-        if (device.usable) return;
-    } catch (const GpuError& error) {
-      GTEST_SKIP() << error.what();
-    }
-    GTEST_SKIP() << "no usable Vulkan device";
-  }
-
   /// An unlit triangle by itself, small.
   Outcome explain(const Words& more) const {
     const std::filesystem::path file = folder.path / "triangle.gltf";
@@ -84,7 +73,6 @@ protected:
     words.insert(words.end(), more.begin(), more.end());
     return outcome(words);
   }
-  ScratchFolder folder;
 };
 
 TEST_F(Explain, SaysWhatAFrameIsMadeOfAndWithout) {

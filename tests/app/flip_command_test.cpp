@@ -15,16 +15,10 @@
 #include "app/png_file.h"
 #include "tests/app/outcome.h"
 #include "tests/app/scratch_folder.h"
+#include "tests/flat_picture.h"
 
 namespace unghost {
 namespace {
-
-Image picture_of(uint32_t width, uint32_t height, glm::u8vec3 colour) {
-  Image picture{.name = {}, .width = width, .height = height, .rgba = {}};
-  for (size_t i = 0; i < size_t(width) * height; ++i)
-    picture.rgba.insert(picture.rgba.end(), {colour.x, colour.y, colour.z, 255});
-  return picture;
-}
 
 TEST(FlipCommand, SaysFiguresAndDrawsAMap) {
   const ScratchFolder folder;

@@ -5,11 +5,14 @@
 #include <algorithm>
 #include <sstream>
 
+#include <nlohmann/json.hpp>
+
 #include "app/files.h"
 #include "app/measure/stability/run.h"
 #include "app/paths.h"
 #include "renderer/gpu/sha256.h"
 #include "tests/app/child.h"
+#include "tests/app/own_copy.h"
 #include "tests/app/scratch_folder.h"
 
 namespace unghost {
@@ -69,6 +72,7 @@ public:
     write_sums(changed);
   }
   fs::path shaders() const { return folder_.path / "shaders"; }
+  fs::path program() const { return copy_program(folder_.path); }
 
 private:
   /// Only what was built is loaded.
@@ -116,16 +120,31 @@ StabilityCell outcome_of(const Guard& guard, const fs::path& shaders) {
                                                 .shaders = shaders,
                                                 .asphalt = {},
                                                 .begins = {}});
-  return result.cells.at(0);
+  return result.table.cells.at(0);
 }
 
 TEST(Guards, EachIsMissedWhereItIsTakenOut) {
   for (const Guard& guard : guards) {
     const WithoutGuard without(guard);
     const StabilityCell cell = outcome_of(guard, without.shaders());
-    EXPECT_TRUE(cell.failed()) << guard.name << ": " << guard.mode << " in " << guard.row << " is still at "
-                               << cell.survived.figure << " (" << cell.survived.where << ")";
+    EXPECT_FALSE(cell.pass) << guard.name << ": " << guard.mode << " in " << guard.row << " is still at "
+                            << value_text(cell.value) << " (" << cell.worst << ")";
   }
+}
+
+TEST(Guards, TheProgramSaysWhichCellIsOverItsBound) {
+  const Guard& rounding = guards[4];
+  const WithoutGuard without(rounding);
+  const ScratchFolder folder;
+  const std::string said = (folder.path / "said").string();
+  const int exit = wait_for(start({without.program().string(), "stability", "--brief", "--case", rounding.row,
+                                   "--modes", rounding.mode, "-o", (folder.path / "table.json").string()},
+                                  folder.path, said));
+  EXPECT_EQ(exit, 1);
+  EXPECT_NE(content_of(said).find("1 of 1 cells is over the bound"), std::string::npos) << content_of(said);
+  const auto table = stability_from_json(nlohmann::json::parse(content_of(folder.path / "table.json")), "it");
+  ASSERT_EQ(table.cells.size(), 1u) << "what was found is written all the same";
+  EXPECT_FALSE(table.cells[0].pass);
 }
 
 TEST(Guards, AFailureByChanceSaysHowItIsRepeated) {
@@ -138,10 +157,9 @@ TEST(Guards, AFailureByChanceSaysHowItIsRepeated) {
                     "blend"};
   const WithoutGuard without(range);
   const StabilityCell cell = outcome_of(range, without.shaders());
-  EXPECT_TRUE(cell.failed());
-  EXPECT_TRUE(cell.survived.where.starts_with("unghost stability --case chance --seed 1 --trial "))
-      << cell.survived.where;
-  EXPECT_TRUE(cell.survived.where.ends_with(" --brief --modes blend")) << cell.survived.where;
+  EXPECT_FALSE(cell.pass);
+  EXPECT_TRUE(cell.worst.starts_with("unghost stability --case chance --seed 1 --trial ")) << cell.worst;
+  EXPECT_TRUE(cell.worst.ends_with(" --brief --modes blend")) << cell.worst;
 }
 
 } // namespace

@@ -50,16 +50,15 @@ TEST(StabilityCells, EveryCaseIsInOneOfTheTwo) {
 }
 
 TEST(StabilityCells, AnExcuseHoldsAsFarAsItSays) {
-  const auto cell = [](const char* mode, double figure) {
-    for (const StabilityCase& row : stability_cases())
-      if (row.name == "events") return StabilityCell{.row = &row, .mode = mode, .survived = {figure, ""}};
-    return StabilityCell{};
-  };
-  EXPECT_TRUE(cell("rgb", 1).passed());
-  EXPECT_TRUE(cell("rgb", 2).failed());
-  EXPECT_FALSE(cell("blend", 8).passed());
-  EXPECT_FALSE(cell("blend", 8).failed()) << "it may ghost";
-  EXPECT_TRUE(cell("blend", INFINITY).failed()) << "but not spread what is no number";
+  const StabilityCase& events =
+      *std::ranges::find(stability_cases(), std::string_view("events"), &StabilityCase::name);
+  const auto cell = [&](const char* mode, double figure) { return judged(events, mode, {figure, ""}); };
+  EXPECT_TRUE(cell("rgb", 1).pass);
+  EXPECT_FALSE(cell("rgb", 2).pass);
+  EXPECT_EQ(cell("blend", 1).excuse, "") << "it needs none";
+  EXPECT_TRUE(cell("blend", 8).pass) << "it may ghost";
+  EXPECT_NE(cell("blend", 8).excuse, "");
+  EXPECT_FALSE(cell("blend", INFINITY).pass) << "but not spread what is no number";
   EXPECT_TRUE(excuse_for("blend", "bad-colour") == nullptr);
 }
 

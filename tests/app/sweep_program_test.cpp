@@ -7,6 +7,7 @@
 
 #include "tests/app/child.h"
 #include "tests/app/outcome.h"
+#include "tests/app/own_copy.h"
 #include "tests/app/scratch_folder.h"
 
 namespace unghost {
@@ -44,7 +45,7 @@ protected:
   }
 
   const ScratchFolder folder_;
-  const std::string program_ = (fs::read_symlink("/proc/self/exe").parent_path() / "unghost").string();
+  const std::string program_ = (folder_of_this_program() / "unghost").string();
 };
 
 TEST_F(SweepProgram, TwoWorkersOneKilledComeToTheSameBytes) {

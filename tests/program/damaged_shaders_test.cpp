@@ -11,12 +11,8 @@ namespace fs = std::filesystem;
 class DamagedShaders : public ProgramTest {
 protected:
   void SetUp() override {
-    fs::copy(program_folder() / "shaders", folder_.path / "shaders");
-    fs::create_symlink(program_folder() / "assets", folder_.path / "assets");
-    // data is looked for beside the file that runs, and a link would be followed
-    std::error_code across;
-    fs::create_hard_link(program(), folder_.path / "unghost", across);
-    if (across) fs::copy_file(program(), folder_.path / "unghost");
+    fs::copy(folder_of_this_program() / "shaders", folder_.path / "shaders");
+    copy_program(folder_.path);
   }
 
   Ended capture() const {

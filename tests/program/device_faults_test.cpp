@@ -12,7 +12,7 @@ constexpr const char* plan = R"({"rigs": ["drive"], "sizes": ["64x36"], "seeds":
 class DeviceFaults : public ProgramTest {
 protected:
   static Words faulty(const std::string& faults) {
-    return {"env", "VK_ADD_LAYER_PATH=" + (program_folder() / "fault_layer").string(),
+    return {"env", "VK_ADD_LAYER_PATH=" + (folder_of_this_program() / "fault_layer").string(),
             "VK_INSTANCE_LAYERS=VK_LAYER_UNGHOST_faults", "FAULTS=" + faults};
   }
   /// How often the program asks the device to work for these words.

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/app/child.h"
+#include "tests/app/own_copy.h"
 #include "tests/app/scratch_folder.h"
 
 namespace unghost {
@@ -32,10 +33,7 @@ inline const Words unvalidated = {"env", "UNGHOST_VALIDATE=0"};
 
 class ProgramTest : public testing::Test {
 protected:
-  static std::filesystem::path program_folder() {
-    return std::filesystem::read_symlink("/proc/self/exe").parent_path();
-  }
-  static std::string program() { return (program_folder() / "unghost").string(); }
+  static std::string program() { return (folder_of_this_program() / "unghost").string(); }
 
   std::string at(const std::string& name) const { return (folder_.path / name).string(); }
   /// `under` are the words of programs that set the conditions and then run the rest: env, prlimit.

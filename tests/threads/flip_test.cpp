@@ -6,15 +6,10 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/flat_picture.h"
+
 namespace unghost {
 namespace {
-
-Image picture_of(uint32_t width, uint32_t height, glm::u8vec3 colour) {
-  Image picture{.name = {}, .width = width, .height = height, .rgba = {}};
-  for (size_t i = 0; i < size_t(width) * height; ++i)
-    picture.rgba.insert(picture.rgba.end(), {colour.x, colour.y, colour.z, 255});
-  return picture;
-}
 
 FloatImage flat(uint32_t width, uint32_t height, glm::u8vec3 colour) {
   return linear_from_srgb(picture_of(width, height, colour));

@@ -6,7 +6,7 @@
 namespace unghost {
 namespace {
 
-std::string cell_html(const StabilityFigure* cell) {
+std::string cell_html(const StabilityCell* cell) {
   if (cell == nullptr) return "<td class=\"none\">-</td>";
   const char* verdict = !cell->pass ? "fails" : cell->excuse.empty() ? "passes" : "excused";
   const std::string text = escaped(value_text(cell->value));
@@ -35,7 +35,7 @@ std::string cases_html(const StabilityTable& table) {
 } // namespace
 
 std::string stability_section(const StabilityTable& table, const Looks& looks) {
-  const auto failed = std::ranges::count(table.cells, false, &StabilityFigure::pass);
+  const auto failed = std::ranges::count(table.cells, false, &StabilityCell::pass);
   std::string html =
       "<section id=\"stability\"><h2>Stiff and extreme cases</h2>\n<p>" + std::to_string(table.cells.size()) +
       " figures of the " + escaped(table.endurance) + " matrix, seed " + std::to_string(table.seed) +
@@ -51,7 +51,7 @@ std::string stability_section(const StabilityTable& table, const Looks& looks) {
     html +=
         "<tr><th scope=\"row\">" + (looks.contains(mode) ? mode_html(mode, looks) : escaped(mode)) + "</th>";
     for (const StabilityColumn& column : table.columns)
-      html += cell_html(find_figure(table, mode, column.name));
+      html += cell_html(find_cell(table, mode, column.name));
     html += "</tr>\n";
   }
   return html + "</tbody></table></div>\n" + cases_html(table) + "</section>\n";

@@ -127,51 +127,59 @@ Values afresh(StabilityBench& bench, const std::vector<FrameInput>& frames) {
   return last;
 }
 
+/// Some frames, a pause, a step of 10 s and one back: no cut, so that all of it may be in the history.
+void step_by_any_length(StabilityBench& bench, std::span<const ModeRun> modes,
+                        std::vector<Survival>& survived) {
+  FrameInput last;
+  for (const uint32_t frame : {0u, 1u, 2u, 3u, 3u, 3u, 603u, 1u}) {
+    FrameInput input = at(60 + frame, modes);
+    if (!last.modes.empty()) input.before = last.now, input.index = last.index + 1;
+    last = input;
+    const Values values = drawn(bench, input);
+    for (size_t mode = 0; mode < modes.size(); ++mode)
+      if (wrong_values(values[mode]) > 0) worsen(survived[mode], INFINITY, "a step of any length");
+  }
+}
+
+/// Somewhere else, at once; the frame after it shows what the cut left behind.
+void cut_to(StabilityBench& bench, uint32_t frame, std::span<const ModeRun> modes, const char* what,
+            std::vector<Survival>& survived) {
+  FrameInput cut = at(frame, modes);
+  const FrameInput next = at(frame + 1, modes);
+  cut.cut = true;
+  drawn(bench, cut);
+  const Values found = drawn(bench, next), fresh = afresh(bench, {cut, next});
+  for (size_t mode = 0; mode < modes.size(); ++mode)
+    worsen(survived[mode], most_apart(found[mode], fresh[mode]), what);
+}
+
+/// Another mode at every place, every frame: none may read the history of another.
+void take_turns(StabilityBench& bench, std::span<const ModeRun> modes, std::vector<Survival>& survived) {
+  for (uint32_t frame = 0; frame < 6; ++frame) {
+    std::vector<ModeRun> turned(modes.begin(), modes.end());
+    std::ranges::rotate(turned, turned.begin() + ptrdiff_t(frame % modes.size()));
+    FrameInput input = at(90 + frame, turned);
+    const Values found = drawn(bench, input);
+    if (frame == 0) continue;
+    input.cut = true;
+    const Values fresh = drawn(bench, input);
+    for (size_t place = 0; place < modes.size(); ++place) {
+      const size_t mode = (place + frame) % modes.size(), before = (mode + modes.size() - 1) % modes.size();
+      if (modes[mode].taa.policy != modes[before].taa.policy) // else the history is its own
+        worsen(survived[mode], most_apart(found[place], fresh[place]), "modes in turns");
+    }
+  }
+}
+
 } // namespace
 
 std::vector<Survival> survive_cuts(StabilityBench& bench, std::span<const ModeRun> modes) {
   std::vector<Survival> survived(modes.size());
-  const auto compare = [&](const Values& found, const Values& fresh, const char* what, size_t turned = 0) {
-    for (size_t place = 0; place < modes.size(); ++place) {
-      const size_t mode = (place + turned) % modes.size(), before = (mode + modes.size() - 1) % modes.size();
-      if (turned > 0 && modes[mode].taa.policy == modes[before].taa.policy)
-        continue; // its history is its own
-      worsen(survived[mode], most_apart(found[place], fresh[place]), what);
-    }
-  };
-  // some frames, a pause, a step of 10 s and one back: no cut, so that all of it may be in the history
-  const auto several = [&](uint32_t from) {
-    FrameInput last;
-    for (const uint32_t frame : {0u, 1u, 2u, 3u, 3u, 3u, 603u, 1u}) {
-      FrameInput input = at(from + frame, modes);
-      if (!last.modes.empty()) input.before = last.now, input.index = last.index + 1;
-      last = input;
-      const Values values = drawn(bench, input);
-      for (size_t mode = 0; mode < modes.size(); ++mode)
-        if (wrong_values(values[mode]) > 0) worsen(survived[mode], INFINITY, "a step of any length");
-    }
-  };
-  // somewhere else, seconds later and earlier; the frame after it shows what the cut left behind
-  for (const uint32_t to : {600u, 30u}) {
-    several(60);
-    FrameInput cut = at(to, modes), next = at(to + 1, modes);
-    cut.cut = true;
-    drawn(bench, cut);
-    const Values found = drawn(bench, next);
-    compare(found, afresh(bench, {cut, next}), to > 60 ? "a cut, 10 s later" : "a cut, back in time");
-  }
-  // another mode at every place, every frame: none may read the history of another
-  for (uint32_t frame = 0; frame < 6; ++frame) {
-    std::vector<ModeRun> turned(modes.begin(), modes.end());
-    const size_t by = modes.size() > 1 ? frame % modes.size() : 0;
-    std::ranges::rotate(turned, turned.begin() + ptrdiff_t(by));
-    const FrameInput input = at(90 + frame, turned);
-    const Values found = drawn(bench, input);
-    if (frame == 0 || modes.size() < 2) continue;
-    FrameInput fresh = input;
-    fresh.cut = true;
-    compare(found, drawn(bench, fresh), "modes in turns", by);
-  }
+  step_by_any_length(bench, modes, survived);
+  cut_to(bench, 600, modes, "a cut, 10 s later", survived);
+  step_by_any_length(bench, modes, survived);
+  cut_to(bench, 30, modes, "a cut, back in time", survived);
+  take_turns(bench, modes, survived);
   return survived;
 }
 

@@ -111,27 +111,54 @@ std::vector<StabilityCell> cells_of(const StabilityRequest& request, const std::
   for (size_t row = 0; row < request.cases.size(); ++row) {
     const StabilityCase* of = request.cases[row];
     if (of->takers == Takers::alone) {
-      cells.push_back({.row = of, .mode = "all", .survived = done[0].survived[row].at(0)});
+      cells.push_back(judged(*of, "all", done[0].survived[row].at(0)));
       continue;
     }
     for (size_t mode = 0; mode < request.modes.size(); ++mode) {
-      StabilityCell cell{.row = of, .mode = request.modes[mode].name, .survived = {}};
+      Survival survived;
       if (of->takers == Takers::by_mode)
-        cell.survived = done[mode % done.size()].survived[row].at(mode / done.size());
+        survived = done[mode % done.size()].survived[row].at(mode / done.size());
       else
         for (const Done& one : done)
-          worsen(cell.survived, one.survived[row].at(mode).figure, one.survived[row][mode].where);
-      cells.push_back(std::move(cell));
+          worsen(survived, one.survived[row].at(mode).figure, one.survived[row][mode].where);
+      cells.push_back(judged(*of, request.modes[mode].name, survived));
     }
   }
   return cells;
 }
 
+StabilityTable table_of(const StabilityRequest& request, const std::vector<Done>& done) {
+  constexpr const char* endurances[] = {"brief", "usual", "long"};
+  StabilityTable table{.version = UNGHOST_VERSION,
+                       .device = done[0].device.name,
+                       .driver = done[0].device.driver,
+                       .endurance = endurances[size_t(request.endurance)],
+                       .seed = request.seed,
+                       .columns = {},
+                       .cells = cells_of(request, done)};
+  for (const StabilityCase* row : request.cases)
+    table.columns.push_back({.name = std::string(row->name),
+                             .summary = std::string(row->summary),
+                             .unit = std::string(row->unit),
+                             .bound = row->bound});
+  return table;
+}
+
 } // namespace
 
-const Excuse* StabilityCell::excuse() const {
-  const Excuse* found = passed() ? nullptr : excuse_for(mode, row->name);
-  return found != nullptr && survived.figure <= found->at_most ? found : nullptr;
+StabilityCell judged(const StabilityCase& row, std::string mode, const Survival& survived) {
+  StabilityCell cell{.mode = std::move(mode),
+                     .column = std::string(row.name),
+                     .value = {},
+                     .worst = survived.where,
+                     .excuse = {},
+                     .pass = survived.figure <= row.bound};
+  if (std::isfinite(survived.figure)) cell.value = survived.figure;
+  const Excuse* excuse = cell.pass ? nullptr : excuse_for(cell.mode, row.name);
+  if (excuse == nullptr || survived.figure > excuse->at_most) return cell;
+  cell.excuse = excuse->why;
+  cell.pass = true;
+  return cell;
 }
 
 size_t stability_workers(const StabilityRequest& request) {
@@ -149,40 +176,11 @@ StabilityResult run_stability(const StabilityRequest& request) {
                                  Work{request, worker, workers, one_at_a_time, stopped}, cores[worker]));
   std::vector<Done> done;
   for (std::future<Done>& one : running) done.push_back(one.get());
-  StabilityResult result{
-      .device = done[0].device, .cells = cells_of(request, done), .validation_messages = {}};
+  StabilityResult result{.table = table_of(request, done), .validation_messages = {}};
   for (const Done& one : done)
     result.validation_messages.insert(result.validation_messages.end(), one.validation_messages.begin(),
                                       one.validation_messages.end());
   return result;
-}
-
-StabilityTable table_of(const StabilityRequest& request, const StabilityResult& result) {
-  constexpr const char* endurances[] = {"brief", "usual", "long"};
-  StabilityTable table{.version = UNGHOST_VERSION,
-                       .device = result.device.name,
-                       .driver = result.device.driver,
-                       .endurance = endurances[size_t(request.endurance)],
-                       .seed = request.seed,
-                       .columns = {},
-                       .cells = {}};
-  for (const StabilityCase* row : request.cases)
-    table.columns.push_back({.name = std::string(row->name),
-                             .summary = std::string(row->summary),
-                             .unit = std::string(row->unit),
-                             .bound = row->bound});
-  for (const StabilityCell& cell : result.cells) {
-    StabilityFigure figure{.mode = cell.mode,
-                           .column = std::string(cell.row->name),
-                           .value = {},
-                           .worst = cell.survived.where,
-                           .excuse = {},
-                           .pass = !cell.failed()};
-    if (std::isfinite(cell.survived.figure)) figure.value = cell.survived.figure;
-    if (const Excuse* excuse = cell.excuse()) figure.excuse = excuse->why;
-    table.cells.push_back(std::move(figure));
-  }
-  return table;
 }
 
 } // namespace unghost

@@ -7,17 +7,8 @@
 
 namespace unghost {
 
-/// What one mode came to in one case; `mode` is `all` where they share what the case is about.
-struct StabilityCell {
-  const StabilityCase* row = nullptr;
-  std::string mode;
-  Survival survived;
-
-  bool passed() const { return survived.figure <= row->bound; }
-  /// Over the bound as the mode says it may be; nothing where it is not.
-  const Excuse* excuse() const;
-  bool failed() const { return !passed() && excuse() == nullptr; }
-};
+/// What that mode's figure is worth: within the bound, over it as the mode says it may be, or neither.
+StabilityCell judged(const StabilityCase& row, std::string mode, const Survival& survived);
 
 struct StabilityRequest {
   std::vector<const StabilityCase*> cases;
@@ -37,12 +28,10 @@ struct StabilityRequest {
 size_t stability_workers(const StabilityRequest& request);
 
 struct StabilityResult {
-  DeviceFacts device;
-  std::vector<StabilityCell> cells; // case by case, mode by mode
+  StabilityTable table;
   std::vector<std::string> validation_messages;
 };
 /// Throws what the devices throw, and Interrupted.
 StabilityResult run_stability(const StabilityRequest& request);
-StabilityTable table_of(const StabilityRequest& request, const StabilityResult& result);
 
 } // namespace unghost

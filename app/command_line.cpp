@@ -53,7 +53,7 @@ void add_drawing(CLI::App& app, CommandLine& line, bool with_frames) {
            "the protocol's)")
         ->check(CLI::Range(1u, most_frames));
   app.add_option_function<std::string>(
-      "--seed", [&line](const std::string& text) { line.seed = seed_of(text); },
+      "--seed", [&line](const std::string& text) { line.seed = whole_number("a seed", text); },
       "Varies the rig; 1 is the rig as designed (default 1)");
   app.add_flag("--timings,!--no-timings", line.timings, "A table of passes: milliseconds and images");
   add_device(app, line);
@@ -183,12 +183,12 @@ PictureSize picture_size(const std::string& text) {
                    text + "'");
 }
 
-uint64_t seed_of(const std::string& text) {
-  uint64_t seed = 0;
+uint64_t whole_number(const char* what, const std::string& text) {
+  uint64_t number = 0;
   const char* end = text.data() + text.size();
-  const auto [rest, error] = std::from_chars(text.data(), end, seed);
-  if (error == std::errc{} && rest == end) return seed;
-  throw WrongWords("a seed is a whole number from 0 to " +
+  const auto [rest, error] = std::from_chars(text.data(), end, number);
+  if (error == std::errc{} && rest == end) return number;
+  throw WrongWords(std::string(what) + " is a whole number from 0 to " +
                    std::to_string(std::numeric_limits<uint64_t>::max()) + ", not '" + text + "'");
 }
 

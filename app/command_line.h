@@ -101,7 +101,7 @@ struct VersionAsked {};
 /// `WIDTHxHEIGHT`. Throws WrongWords.
 PictureSize picture_size(const std::string& text);
 /// A whole number from 0 that 64 bits hold. Throws WrongWords.
-uint64_t seed_of(const std::string& text);
+uint64_t whole_number(const char* what, const std::string& text);
 /// `words` without the program's name. Throws WrongWords.
 std::variant<CommandLine, HelpText, VersionAsked> parse_command_line(std::span<const char* const> words);
 /// The same of words that ask for a command. Throws WrongWords.

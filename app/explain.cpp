@@ -1,6 +1,7 @@
 // `unghost explain`: what a frame is made of, what it was made without and because of what, and what that
 // saved.
 #include <algorithm>
+#include <cmath>
 
 #include <nlohmann/json.hpp>
 
@@ -16,18 +17,22 @@ namespace {
 
 using nlohmann::json;
 
-constexpr uint32_t usual_rounds = 3; // some 20 s of the asphalt at 1280x720 on two cores of lavapipe
+constexpr uint32_t usual_rounds = 5; // some 40 s of the asphalt at 1280x720 on two cores of lavapipe
 constexpr size_t longest_list = 16;  // of pipelines that a person reads
 
 std::string mib(double bytes) { return fixed(bytes / (1 << 20), 1); }
+/// What would be read as 0.0 is not.
+bool is_listed(double bytes) { return std::abs(bytes) >= 0.05 * (1 << 20); }
 double median(const std::vector<double>& values) { return quantile(values, 0.5); }
 
-/// Of nine rounds out of ten; below the noise where it has both signs.
+/// From the tenth to the ninetieth percentile; below the noise where it has both signs, or where there are
+/// too few rounds to know.
 struct Spread {
   double low = 0, middle = 0, high = 0;
+  bool few = false;
   explicit Spread(const std::vector<double>& ms)
-      : low(quantile(ms, 0.1)), middle(median(ms)), high(quantile(ms, 0.9)) {}
-  bool below_noise() const { return low <= 0 && high >= 0; }
+      : low(quantile(ms, 0.1)), middle(median(ms)), high(quantile(ms, 0.9)), few(ms.size() < usual_rounds) {}
+  bool below_noise() const { return few || (low <= 0 && high >= 0); }
 };
 
 uint32_t draws_of(const FrameResult& frame, std::string_view name) {
@@ -127,22 +132,25 @@ std::string image_table(const FrameParts& parts) {
   Table table{{"image", "MiB"}};
   uint64_t small = 0;
   for (const UsedImage& image : parts.frame.images)
-    if (const std::string size = mib(double(image.bytes)); size == "0.0")
-      small += image.bytes;
+    if (is_listed(double(image.bytes)))
+      table.add({image.name, mib(double(image.bytes))});
     else
-      table.add({image.name, size});
-  return "\n" + table.text() + std::to_string(small) + " bytes more are in place of what is not made\n";
+      small += image.bytes;
+  return "\n" + table.text() +
+         "smaller ones, and those in place of what is not made: " + std::to_string(small) + " bytes\n";
 }
 
 std::string left_out_table(const FrameParts& parts) {
   Table table{{"made without", "because", "MiB", "ms"}};
   for (const Saving& saving : parts.savings) {
     const Spread ms(saving.ms);
-    const std::string size = mib(double(saving.bytes)), bytes = std::stod(size) == 0 ? "-" : size;
+    const std::string bytes = is_listed(double(saving.bytes)) ? mib(double(saving.bytes)) : "-";
     table.add(
         {saving.thing.what, saving.thing.why, bytes, ms.below_noise() ? "below noise" : fixed(ms.middle, 2)});
   }
-  return "\n" + table.text() + "an image that lies in memory which another pass has left costs none\n";
+  return "\n" + table.text() +
+         "each by itself; an image costs none where it lies in memory that another pass has left, and some\n"
+         "go only where several things go\n";
 }
 
 std::string totals(const FrameParts& parts) {
@@ -160,7 +168,7 @@ std::string totals(const FrameParts& parts) {
 json stillness_json(const Film& film, const Shot& shot) {
   Stillness stillness(film.animated);
   std::string change;
-  for (uint32_t index = 0; index < shot.frames; ++index) {
+  for (uint32_t index = 0; index < std::max(shot.frames, 2u); ++index) { // nothing moves before the first
     FrameInput input = film.at(index);
     input.modes = shot.modes;
     stillness.frames_left(input);

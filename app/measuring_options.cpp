@@ -2,6 +2,7 @@
 
 #include "app/measure/baseline.h"
 #include "app/measure/protocols.h"
+#include "app/measure/stability/matrix.h"
 #include "app/option_checks.h"
 #include "renderer/spelling.h"
 
@@ -47,17 +48,26 @@ void add_report(CLI::App& app, CommandLine& line) {
   app.add_option("-o,--output", line.output, "The folder of the page; made where it is not there");
 }
 
+std::string case_names() {
+  std::vector<std::string> names;
+  for (const StabilityCase& row : stability_cases()) names.emplace_back(row.name);
+  return joined(names, ", ");
+}
+
 void add_stability(CLI::App& app, CommandLine& line) {
   StabilityWords& stability = line.stability;
-  app.add_option("--case", stability.cases, "Which cases, with commas (default all)")
+  app.add_option("--case", stability.cases, "Which cases, with commas (default all): " + case_names())
       ->delimiter(',')
       ->allow_extra_args(false)
       ->check(no_option);
   app.add_flag("--brief,!--no-brief", stability.brief, "As the tests run it: less of what takes long");
-  app.add_flag("--long,!--no-long", stability.long_run, "100,000 frames of what has 5,000 or 10,000");
-  app.add_option("--trial", stability.trial, "Of what is by chance, this one alone");
+  app.add_flag("--long,!--no-long", stability.long_run,
+               "100,000 frames of what has 5,000 or 10,000, and 50,000 trials by chance");
   app.add_option_function<std::string>(
-      "--seed", [&line](const std::string& text) { line.seed = seed_of(text); },
+      "--trial", [&stability](const std::string& text) { stability.trial = whole_number("a trial", text); },
+      "Of --case chance, this one alone");
+  app.add_option_function<std::string>(
+      "--seed", [&line](const std::string& text) { line.seed = whole_number("a seed", text); },
       "Of what is by chance (default 1)");
 }
 

@@ -79,7 +79,7 @@ int run(std::span<const char* const> words, std::ostream& out, std::ostream& err
   } catch (const SettingError& error) {
     return fail(Exit::wrong_words, error.what());
   } catch (const std::bad_alloc&) {
-    err << "unghost: out of memory; try a smaller --size\n"; // without a string to make
+    err << "unghost: out of memory; something smaller may do\n"; // without a string to make
     return int(Exit::device_lost_or_memory);
   } catch (const std::exception& error) {
     return fail(Exit::failed, error.what());

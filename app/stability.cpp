@@ -15,17 +15,21 @@
 namespace unghost {
 namespace {
 
+constexpr const char* all_of_them = "all"; // a word of --case and --modes
+
 /// Those of the names; all of them where there are none.
 template <class Row>
 std::vector<const Row*> chosen(std::span<const Row> all, const std::vector<std::string>& names,
                                const char* what) {
   std::vector<std::string> known;
   for (const Row& row : all) known.emplace_back(row.name);
+  const bool every = names.empty() || std::ranges::find(names, all_of_them) != names.end();
   std::vector<const Row*> some;
-  for (const std::string& name : names.empty() ? known : names) {
+  for (const std::string& name : every ? known : names) {
     const auto found = std::ranges::find(known, name);
     if (found == known.end())
-      throw WrongWords(std::string("there is no ") + what + " '" + name + "'" + did_you_mean(name, known));
+      throw WrongWords(std::string("there is no ") + what + " '" + name + "'" + did_you_mean(name, known) +
+                       "; there are " + joined(known, ", "));
     const Row* row = &all[size_t(found - known.begin())];
     if (std::ranges::find(some, row) == some.end()) some.push_back(row);
   }
@@ -58,20 +62,14 @@ std::string text_of(const StabilityTable& all, size_t first, size_t count) {
   return table.text();
 }
 
-bool worse(const StabilityCell& a, const StabilityCell& b) {
-  return !a.value ? b.value.has_value() : b.value && *a.value > *b.value;
-}
-
 /// The worst of each case that has no excuse, and the excuses.
 void say_worst(const StabilityTable& table, std::ostream& out) {
   for (const StabilityColumn& column : table.columns) {
-    const StabilityCell* worst = nullptr;
-    for (const StabilityCell& cell : table.cells)
-      if (cell.column == column.name && cell.excuse.empty() && (worst == nullptr || worse(cell, *worst)))
-        worst = &cell;
+    const StabilityCell* worst = worst_cell(table, column.name);
     if (worst == nullptr || worst->value == 0.0) continue;
-    out << column.name << ": worst " << worst->mode << ", " << value_text(worst->value) << " " << column.unit
-        << " (" << worst->worst << ")" << (worst->pass ? "" : ": over its bound") << "\n";
+    out << column.name << ": worst " << (worst->mode == every_mode ? "" : worst->mode + ", ")
+        << value_text(worst->value) << " " << column.unit << " (" << worst->worst << ")"
+        << (worst->pass ? "" : ": over its bound") << "\n";
   }
   for (const StabilityCell& cell : table.cells)
     if (!cell.excuse.empty())
@@ -112,6 +110,16 @@ private:
   std::vector<Own> films_;
 };
 
+void check_words(const CommandLine& line) {
+  if (!line.output.empty() && !line.output.ends_with(".json") && line.output != "-")
+    throw WrongWords("the table goes to a .json file");
+  if (line.stability.trial && line.stability.cases != std::vector<std::string>{"chance"})
+    throw WrongWords("--trial is one of --case chance");
+  for (const TaaMode& mode : taa_modes())
+    if (!mode.settings.policy.needs_history() && std::ranges::find(line.modes, mode.name) != line.modes.end())
+      throw WrongWords(std::string(mode.name) + " keeps no history, and has nothing that could break");
+}
+
 StabilityRequest request_from(const CommandLine& line) {
   StabilityRequest request{.cases = chosen(stability_cases(), line.stability.cases, "case"),
                            .modes = {},
@@ -121,16 +129,16 @@ StabilityRequest request_from(const CommandLine& line) {
                            .device = {.which = line.device, .validate = line.validate},
                            .shaders = find_data_folders().shaders,
                            .asphalt = {},
-                           .begins = {}};
+                           .begins = {},
+                           .ends = {}};
   const std::vector<ModeRun> modes = stability_modes();
   for (const ModeRun* mode : chosen(std::span<const ModeRun>(modes), line.modes, "mode"))
     request.modes.push_back(*mode);
   return request;
 }
 
-void print(const CommandLine& line, const Console& console, const StabilityTable& table) {
+void print(const CommandLine& line, const Console& console, const StabilityTable& table, NewFile* file) {
   const std::string json = stability_json(table).dump(2) + "\n";
-  if (!line.output.empty() && line.output != "-") write_file(line.output, bytes_of(json));
   if (line.json || line.output == "-") {
     console.out << json;
   } else {
@@ -139,22 +147,29 @@ void print(const CommandLine& line, const Console& console, const StabilityTable
       console.out << text_of(table, first, columns) << "\n";
     if (!console.quiet) say_worst(table, console.err);
   }
-  console.out.flush();
+  console.out.flush(); // before a disk may be full
+  if (file == nullptr) return;
+  file->write(bytes_of(json));
+  file->commit();
 }
 
 } // namespace
 
 void stability(const CommandLine& line, Console& console) {
+  check_words(line);
   StabilityRequest request = request_from(line);
+  std::unique_ptr<NewFile> file;
+  if (!line.output.empty() && line.output != "-") file = std::make_unique<NewFile>(line.output);
   Asphalts asphalts(line, console, stability_workers(request));
   request.asphalt = [&](size_t worker) -> const Film& { return asphalts.of_worker(worker); };
   StabilityResult result;
   {
     Progress progress(console, double(request.cases.size() * stability_workers(request)));
-    request.begins = [&](std::string_view name) { progress.name(std::string(name)), progress.step(1); };
+    request.begins = [&](std::string_view name) { progress.name(std::string(name)); };
+    request.ends = [&] { progress.step(1); };
     result = run_stability(request);
   }
-  print(line, console, result.table);
+  print(line, console, result.table, file.get());
   for (const std::string& message : result.validation_messages) console.err << message << "\n";
   if (!result.validation_messages.empty())
     throw Failure(Exit::failed, "the validation layer has " +

@@ -55,6 +55,7 @@ struct FrameInput {
   uint64_t index = 0;                  // chooses the jitter
   std::optional<glm::dvec2> jitter_px; // instead of every mode's own: a sample of a supersampled frame
   bool cut = false;                    // nothing of before may be used
+  bool keeps_nothing = false;          // but its histories: what rests is drawn again, too
   uint32_t width = 1280, height = 720;
   Settings settings; // light, stage and view; each run brings its own taa
   std::vector<ModeRun> modes;

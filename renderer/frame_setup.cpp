@@ -93,15 +93,19 @@ void list_draws(FrameGraph& graph, FrameContext& in, const FrameConstants& const
     const glm::dmat4& eye_from_object = objects.eye_from_object[draw.object];
     const bool moved = objects.moved[draw.object] != 0;
     seen.push_back(may_be_seen(draw.bounds, clip_from_eye * eye_from_object, side));
-    seen_by_sun.push_back(may_be_seen(draw.bounds, shadow_clip_from_eye * eye_from_object));
+    seen_by_sun.push_back(!casts_shadow(draw) ||
+                          may_be_seen(draw.bounds, shadow_clip_from_eye * eye_from_object));
     in.in_view.anything |= seen.back() != 0;
     in.in_view.anything_moved |= moved && seen.back() != 0;
     in.in_view.moving_casters |= moved && casts_shadow(draw) && seen_by_sun.back() != 0;
   }
-  const auto all = [](const std::vector<uint8_t>& list) { return std::ranges::find(list, 0) == list.end(); };
-  const bool all_seen = graph.needed(all(seen), {"draws out of view", "they lie beyond the picture's sides"});
-  const bool all_cast =
-      graph.needed(all(seen_by_sun), {"casters out of the map", "they lie beyond the shadow map's sides"});
+  const auto needed = [&](const std::vector<uint8_t>& within, const char* what, const char* where) {
+    const auto beyond = std::ranges::count(within, 0);
+    return graph.needed(beyond == 0,
+                        {what, std::to_string(beyond) + " lie beyond the sides of the " + where});
+  };
+  const bool all_seen = needed(seen, "draws out of view", "picture");
+  const bool all_cast = needed(seen_by_sun, "casters out of the map", "shadow map");
   std::vector<std::pair<double, const Draw*>> by_distance;
   for (size_t i = 0; i < gpu.draws.size(); ++i) {
     const Draw& draw = gpu.draws[i];
@@ -127,7 +131,8 @@ uint32_t features_of_all(FrameGraph& graph, const SceneTraits& traits) {
   if (graph.needed(all_have(HAS_ALPHA_MASK),
                    {"alpha test", traits.masked ? "not every material is masked" : "no material is masked"}))
     features |= HAS_ALPHA_MASK;
-  if (graph.needed(all_have(textures), {"textures", "not every material has each"})) features |= textures;
+  if (graph.needed(all_have(textures), {"textures", "a material samples only those that it has"}))
+    features |= textures;
   return features;
 }
 
@@ -135,7 +140,7 @@ uint32_t features_of_all(FrameGraph& graph, const SceneTraits& traits) {
 uint32_t features_of_jitter(FrameGraph& graph, const TaaSettings& taa, glm::dvec2 shift_px) {
   uint32_t features = 0;
   if (graph.needed(shift_px != glm::dvec2(0),
-                   {"texture shift", "textures move with the jitter, if there is any"}))
+                   {"texture shift", "there is no jitter that textures could be kept from"}))
     features |= SHIFTS_TEXTURES;
   if (graph.needed(taa.mip_bias != 0, {"mip bias", "mip-bias is 0"})) features |= BIASES_TEXTURES;
   return features;
@@ -173,14 +178,14 @@ std::vector<LightData> place_lights(FrameGraph& graph, const FrameInput& input, 
 
 /// Changes when the map moves, the sun does, or what rests is elsewhere or no longer rests.
 uint64_t version_of(ShadowVersion& version, std::vector<double> place, const Objects& objects,
-                    const GpuScene& gpu, const std::vector<glm::dmat4>& now) {
+                    const GpuScene& gpu, const std::vector<glm::dmat4>& now, bool draw_again) {
   for (size_t i = 0; i < objects.moved.size(); ++i) {
     place.push_back(objects.moved[i]);
     if (objects.moved[i]) continue;
     const glm::dmat4& world = now[size_t(gpu.object_nodes[i])];
     place.insert(place.end(), &world[0].x, &world[0].x + 16);
   }
-  if (place != version.made_from) {
+  if (draw_again || place != version.made_from) {
     version.made_from = std::move(place);
     ++version.number;
   }
@@ -282,7 +287,8 @@ FrameSetup describe_frame(FrameGraph& graph, const FrameInput& given, const Scen
                   .sun_shines = shows_sun(input),
                   .more_features = features_of_all(graph, gpu.traits),
                   .shadow_texels = shadow_texels,
-                  .shadow_version = version_of(before.shadows, map_place, objects, gpu, now),
+                  .shadow_version =
+                      version_of(before.shadows, map_place, objects, gpu, now, input.keeps_nothing),
                   .policy_changed = changes_of(before.policies, input.modes),
                   .tagged = tagged_range(input, gpu, objects),
                   .timed = input.timed};

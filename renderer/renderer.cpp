@@ -22,6 +22,8 @@ Renderer::Renderer(Device& device, const std::filesystem::path& shaders, Scene s
     : parts_(std::make_unique<Parts>(device, shaders, std::move(scene))) {}
 
 Renderer::~Renderer() = default;
+Renderer::Renderer(Renderer&&) noexcept = default;
+Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 
 const Scene& Renderer::scene() const { return parts_->scene; }
 

@@ -16,6 +16,8 @@ public:
   /// throws.
   Renderer(Device& device, const std::filesystem::path& shaders, Scene scene);
   ~Renderer();
+  Renderer(Renderer&&) noexcept;
+  Renderer& operator=(Renderer&&) noexcept;
 
   const Scene& scene() const;
   /// Draws one frame, waits for it, and brings what was wanted. Histories go on from the frame before unless

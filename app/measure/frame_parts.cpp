@@ -1,6 +1,7 @@
 #include "app/measure/frame_parts.h"
 
 #include <algorithm>
+#include <cassert>
 
 namespace unghost {
 namespace {
@@ -32,6 +33,12 @@ bool is_part_of(const FrameResult& less, const FrameResult& more) {
   return std::ranges::all_of(less.passes, [&](const PassReport& pass) { return does_the_same(pass, more); });
 }
 
+/// What one frame keeps for the next, as the shadows of what rests, is made in some frames only: one that did
+/// make it does so each time that it is timed.
+bool kept_something(const FrameResult& frame, const FrameResult& again) {
+  return frame.passes.size() != again.passes.size();
+}
+
 /// Everything but one thing: how it is drawn, and one such frame.
 struct AllBut {
   FrameInput input;
@@ -48,6 +55,7 @@ FrameParts take_apart(const Film& film, const ModeRun& mode, uint32_t frame, uin
     lean.modes = {mode}, lean.shown = true;
     parts.frame = film.draw(lean);
   }
+  lean.keeps_nothing = kept_something(parts.frame, film.draw(lean));
   FrameInput everything = lean;
   everything.settings.keep_all = true;
   parts.everything = film.draw(everything); // each first frame of its kind compiles, and is not timed
@@ -63,6 +71,7 @@ FrameParts take_apart(const Film& film, const ModeRun& mode, uint32_t frame, uin
   for (uint32_t round = 0; round < rounds; ++round) {
     const FrameResult one = film.draw(lean), all = film.draw(everything);
     parts.frame_ms.push_back(total_ms(one)), parts.everything_ms.push_back(total_ms(all));
+    assert(!kept_something(parts.frame, one));
     for (size_t pass = 0; pass < one.passes.size(); ++pass)
       parts.pass_ms[pass].push_back(one.passes[pass].ms);
     for (size_t i = 0; i < all_but.size(); ++i) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <new>
 
 #include <nlohmann/json.hpp>
 
@@ -12,8 +13,6 @@ namespace unghost {
 namespace {
 
 using nlohmann::json;
-
-constexpr const char* every_mode = "all";
 
 json json_of(const StabilityCell& cell, const StabilityTable& table) {
   const auto column = std::ranges::find(table.columns, cell.column, &StabilityColumn::name);
@@ -45,6 +44,25 @@ const StabilityCell* find_cell(const StabilityTable& table, const std::string& m
     return cell.column == column && (cell.mode == mode || cell.mode == every_mode);
   });
   return found == table.cells.end() ? nullptr : &*found;
+}
+
+const StabilityCell* worst_cell(const StabilityTable& table, const std::string& column) {
+  const auto worse = [](const StabilityCell& a, const StabilityCell& b) {
+    return !a.value ? b.value.has_value() : b.value && *a.value > *b.value;
+  };
+  const StabilityCell* worst = nullptr;
+  for (const StabilityCell& cell : table.cells)
+    if (cell.column == column && cell.excuse.empty() && (worst == nullptr || worse(cell, *worst)))
+      worst = &cell;
+  return worst;
+}
+
+size_t missing_cells(const StabilityTable& table) {
+  size_t missing = 0;
+  for (const std::string& mode : modes_of(table))
+    for (const StabilityColumn& column : table.columns)
+      missing += find_cell(table, mode, column.name) == nullptr;
+  return missing;
 }
 
 std::vector<std::string> modes_of(const StabilityTable& table) {
@@ -96,6 +114,8 @@ StabilityTable stability_from_json(const json& object, const std::string& where)
                                .bound = column.at("bound")});
     for (const json& cell : object.at("cells")) table.cells.push_back(figure_of(cell, table));
     return table;
+  } catch (const std::bad_alloc&) {
+    throw; // is no fault of the file
   } catch (const std::exception& error) {
     const std::string said = error.what();
     throw Failure(Exit::input_refused, where + " holds no matrix of unghost stability: " +

@@ -16,7 +16,9 @@ struct StabilityColumn {
   double bound = 0;
 };
 
-/// One mode in one case; `mode` is "all" where the modes share what the case is about.
+constexpr const char* every_mode = "all";
+
+/// One mode in one case; `mode` is `every_mode` where the modes share what the case is about.
 struct StabilityCell {
   std::string mode, column;
   std::optional<double> value; // none where it is no number, which is over any bound
@@ -35,6 +37,10 @@ struct StabilityTable {
 /// The figure of that mode and column, or the one that all modes share. Nothing where there is none.
 const StabilityCell* find_cell(const StabilityTable& table, const std::string& mode,
                                const std::string& column);
+/// The worst in a column of those that need no excuse. Nothing where there is none.
+const StabilityCell* worst_cell(const StabilityTable& table, const std::string& column);
+/// How many cells a whole matrix of these modes and columns has that are not there.
+size_t missing_cells(const StabilityTable& table);
 /// By name, in the order of the cells.
 std::vector<std::string> modes_of(const StabilityTable& table);
 /// "0.00529", "2.4e-04", "0", "broken".

@@ -35,6 +35,7 @@ Binding buffer(uint32_t slot, BufferSlice buffer) {
 }
 
 bool FrameGraph::needed(bool is, const LeftOut& thing, std::initializer_list<ImageRef> images) {
+  but_is_declared_ |= thing.what == keeping_.but;
   if (is || (keeping_.all && keeping_.but != thing.what)) return true;
   for (const ImageRef image : images) images_[image.index].left_out = true;
   if (std::ranges::find(left_out_, thing.what, &LeftOut::what) == left_out_.end()) left_out_.push_back(thing);

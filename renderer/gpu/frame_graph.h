@@ -135,9 +135,8 @@ public:
   FrameGraph(KeptImages& kept, uint64_t frame, Keeping keeping = {})
       : kept_(kept), frame_(frame), keeping_(std::move(keeping)) {}
 
-  /// Whether `thing` is made: where it `is` needed, or where everything is kept. The one place through which
-  /// a frame leaves something out that depends on the scene, the mode or a setting; what is left out is
-  /// written down. `images` are made for nothing else: where it is left out, they live only if somebody reads
+  /// Whether `thing` is made: where it `is` needed, or where everything is kept. What is left out is written
+  /// down. `images` are made for nothing else: where it is left out, they live only if somebody reads
   /// them.
   bool needed(bool is, const LeftOut& thing, std::initializer_list<ImageRef> images = {});
 
@@ -173,6 +172,8 @@ public:
   KeptImages& kept() const { return kept_; }
   uint64_t frame() const { return frame_; }
   const Keeping& keeping() const { return keeping_; }
+  /// Whether the one thing that is not kept has been asked for by name; else an image or a pass is called so.
+  bool but_is_declared() const { return but_is_declared_; }
   const std::vector<LeftOut>& left_out() const { return left_out_; }
   const ImageDesc& desc(ImageRef image) const { return images_[image.index].desc; }
 
@@ -182,6 +183,7 @@ private:
   KeptImages& kept_;
   uint64_t frame_;
   Keeping keeping_;
+  bool but_is_declared_ = false;
   std::vector<LeftOut> left_out_;
   std::vector<GraphImage> images_;
   std::vector<Pass> passes_;

@@ -126,17 +126,18 @@ void keep_together(const FrameGraph& graph, const std::vector<size_t>& running, 
   }
 }
 
-/// Where everything is kept, every image but those of the one thing that is not: it is named after its
-/// image or after the pass that writes them.
+/// Where everything is kept, every image but those of the one thing that is not. Where no part of the frame
+/// asked for that by name, it is called as its image, or as the pass that writes them.
 std::vector<ImageRef> kept_for_nobody(const FrameGraph& graph) {
   const auto& [all, but] = graph.keeping();
   if (!all) return {};
+  const bool by_name = !graph.but_is_declared();
   std::vector<uint8_t> spared;
   for (const FrameGraph::GraphImage& image : graph.images())
-    spared.push_back(image.left_out || image.desc.name == but);
+    spared.push_back(image.left_out || (by_name && image.desc.name == but));
   for (const Pass& pass : graph.passes())
     for (const Touch& touch : touches_of(graph, pass))
-      if (pass.name == but && touch.facts.writes) spared[touch.image.index] = 1;
+      if (by_name && pass.name == but && touch.facts.writes) spared[touch.image.index] = 1;
   std::vector<ImageRef> images;
   for (uint32_t i = 0; i < spared.size(); ++i)
     if (spared[i] == 0) images.push_back({i});
@@ -193,7 +194,10 @@ std::vector<LeftOut> unread(const FrameGraph& graph, const FramePlan& plan) {
     return counts && !plan.images[image.index].live && !declared.left_out;
   };
   const auto add = [&](const std::string& what) {
-    if (std::ranges::find(left_out, what, &LeftOut::what) == left_out.end()) left_out.push_back({what, why});
+    for (const std::vector<LeftOut>& known :
+         {graph.left_out(), left_out}) // with a reason of its own, or this
+      if (std::ranges::find(known, what, &LeftOut::what) != known.end()) return;
+    left_out.push_back({what, why});
   };
   for (size_t i = 0; i < graph.passes().size(); ++i) {
     const Pass& pass = graph.passes()[i];

@@ -35,7 +35,7 @@ GBuffer draw_gbuffer(FrameGraph& graph, const FrameContext& in) {
       .emissive = image("emissive", VK_FORMAT_B10G11R11_UFLOAT_PACK32),
       .depth = image("depth", VK_FORMAT_D32_SFLOAT_S8_UINT),
       .object_motion = image("object motion", VK_FORMAT_R32G32B32A32_SFLOAT),
-      .object = image("object", VK_FORMAT_R32_UINT),
+      .object = image("object ids", VK_FORMAT_R32_UINT),
   };
   decide(graph, in, gbuffer);
   const VkClearValue zero{};

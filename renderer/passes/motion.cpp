@@ -9,7 +9,7 @@ Motion resolve_motion(FrameGraph& graph, const FrameContext& in, const GBuffer& 
   };
   Motion motion{.motion_px = image("motion", VK_FORMAT_R32G32_SFLOAT),
                 .previous_depth = image("previous depth", VK_FORMAT_R32_SFLOAT),
-                .depth = image("depth to load", VK_FORMAT_R32_SFLOAT)};
+                .depth = image("depth copy", VK_FORMAT_R32_SFLOAT)};
   motion.moves =
       graph.needed(in.camera_moved || in.in_view.anything_moved,
                    {"motion", "neither the camera nor anything in view moves"}, {motion.motion_px});

@@ -126,7 +126,7 @@ Reading reading_of(FrameGraph& graph, const FrameContext& in, const TaaInputs& i
                    const Kept& kept) {
   const HistoryFilter filter = filter_for(in, taa.policy.history);
   const bool tags =
-      inputs.gbuffer.tagged && graph.needed(taa.policy.needs_tags(), {"tags", "this mode asks for none"});
+      inputs.gbuffer.tagged && graph.needed(taa.policy.needs_tags(), {"test of tags", "this mode has none"});
   return {.graph = graph,
           .policy = taa.policy,
           .kept = kept,
@@ -220,8 +220,8 @@ Resolved resolve_taa(FrameGraph& graph, const FrameContext& in, const TaaInputs&
   };
   const Resolved resolved{.colour = taa.policy.keeps == Keeps::result ? kept.colour.next
                                                                       : image("resolved", colour_format),
-                          .why = image("why", VK_FORMAT_R8G8B8A8_UNORM),
-                          .history = image("history as used", colour_format)};
+                          .why = image("reasons of the resolve", VK_FORMAT_R8G8B8A8_UNORM),
+                          .history = image("history as it was read", colour_format)};
   const Reading reading = reading_of(graph, in, inputs, taa, kept);
   const TaaPush push = push_of(in, taa);
   const auto bytes = std::as_bytes(std::span(&push, 1));

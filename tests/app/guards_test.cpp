@@ -119,7 +119,8 @@ StabilityCell outcome_of(const Guard& guard, const fs::path& shaders) {
                                                 .device = {},
                                                 .shaders = shaders,
                                                 .asphalt = {},
-                                                .begins = {}});
+                                                .begins = {},
+                                                .ends = {}});
   return result.table.cells.at(0);
 }
 

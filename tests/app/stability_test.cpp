@@ -74,13 +74,13 @@ TEST(StabilityCells, WhatIsNoNumberIsWorst) {
 TEST(StabilityCells, EveryAnswerThatAResolveHasIsInSomeMode) {
   const std::vector<ModeRun> modes = stability_modes();
   for (const Setting& column : settings_table()) {
-    if (!column.per_mode || column.kind != SettingKind::choice || column.used.holds == nullptr) continue;
+    if (!column.per_mode || column.kind == SettingKind::number || column.used.holds == nullptr) continue;
     for (const Answer& answer : column.answers)
       EXPECT_TRUE(std::ranges::any_of(modes,
                                       [&](const ModeRun& run) {
                                         Settings settings;
                                         settings.taa = run.taa;
-                                        return uint32_t(column.read(settings)) == answer.value;
+                                        return has_answer(column, settings, answer.value);
                                       }))
           << column.name << "=" << answer.name;
   }
@@ -103,14 +103,36 @@ TEST(StabilityCommand, WordsThatCannotWork) {
   const Outcome wrong = outcome({"stability", "--case", "constnat"});
   EXPECT_EQ(wrong.exit, 2);
   EXPECT_NE(wrong.err.find("did you mean 'constant'?"), std::string::npos) << wrong.err;
-  EXPECT_EQ(outcome({"stability", "--modes", "off"}).exit, 2) << "which keeps nothing that could break";
+  EXPECT_NE(wrong.err.find("constant, bad-colour, "), std::string::npos) << wrong.err;
+  const Outcome off = outcome({"stability", "--modes", "off"});
+  EXPECT_EQ(off.exit, 2);
+  EXPECT_NE(off.err.find("off keeps no history"), std::string::npos) << off.err;
+  for (const char* trial : {"-1", "99999999999999999999", "x", ""})
+    EXPECT_EQ(outcome({"stability", "--case", "chance", "--trial", trial}).exit, 2) << trial;
+  for (const char* cases : {"flat", "chance,flat", "all"})
+    EXPECT_EQ(outcome({"stability", "--case", cases, "--trial", "3"}).exit, 2) << cases;
+  EXPECT_EQ(outcome({"stability", "--case", "flat", "-o", "table.png"}).exit, 2);
+  EXPECT_EQ(outcome({"stability", "--case", "flat", "-o", "no-such-folder/table.json"}).exit, 1);
+}
+
+TEST(StabilityCommand, TheLastTrialThereIsIsDrawn) {
+  const Outcome run = outcome({"stability", "--brief", "--case", "chance", "--modes", "rgb", "--trial",
+                               "18446744073709551615", "--json", "-q"});
+  EXPECT_EQ(run.exit, 0) << run.err;
+}
+
+TEST(StabilityCommand, AllIsEveryOne) {
+  const Outcome run = outcome({"stability", "--brief", "--case", "lookup", "--modes", "all", "--json", "-q"});
+  ASSERT_EQ(run.exit, 0) << run.err;
+  EXPECT_EQ(json::parse(run.out).at("cells").size(), stability_modes().size());
 }
 
 TEST(StabilityCommand, ItsFileBecomesATableOfTheReport) {
   const ScratchFolder folder;
   const std::string file = (folder.path / "stability.json").string(), out = (folder.path / "page").string();
   ASSERT_EQ(
-      outcome({"stability", "--brief", "--case", "flat,rest", "--modes", "rgb,blend", "-q", "-o", file}).exit,
+      outcome({"stability", "--brief", "--case", "flat,sun,rest", "--modes", "rgb,blend", "-q", "-o", file})
+          .exit,
       0);
   const std::string results = (folder.path / "m.json").string();
   ASSERT_EQ(outcome({"measure", "--size", "32x18", "--frames", "18", "--modes", "rgb", "--what", "ghosting",
@@ -121,6 +143,13 @@ TEST(StabilityCommand, ItsFileBecomesATableOfTheReport) {
   ASSERT_EQ(report.exit, 0) << report.err;
   const std::string page = content_of(folder.path / "page" / "index.html");
   EXPECT_NE(page.find("id=\"stability\""), std::string::npos);
+  json part = json::parse(content_of(file));
+  part["cells"].erase(0);
+  EXPECT_EQ(outcome({"report", "--from", results, "--stability",
+                     folder.file("part.json", part.dump()).string(), "-q", "-o", out})
+                .exit,
+            0);
+  EXPECT_NE(content_of(folder.path / "page" / "index.html").find("1 are missing"), std::string::npos);
   const std::string broken = folder.file("broken.json", "{\"cells\": []}").string();
   const Outcome refused = outcome({"report", "--from", results, "--stability", broken, "-q", "-o", out});
   EXPECT_EQ(refused.exit, 3);

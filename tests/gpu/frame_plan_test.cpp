@@ -119,6 +119,7 @@ TEST(FramePlan, WhatIsLeftOutIsWrittenDownOnce) {
   EXPECT_FALSE(d.graph.needed(false, {"motion", "asked again"}, {motion}));
   d.compute("makes three", {}, {motion, out, unread});
   d.compute("never runs", {out}, {never});
+  d.compute("motion", {}, {d.image("in its place")});
   d.graph.want(out);
   ASSERT_EQ(d.graph.left_out().size(), 1u);
   EXPECT_EQ(d.graph.left_out()[0].why, "nothing moves");
@@ -131,12 +132,13 @@ TEST(FramePlan, EverythingIsKeptButOneThing) {
   for (const std::string but : {"", "motion", "unread", "never runs"}) {
     Declared d{.keeping = {.all = true, .but = but}};
     const ImageRef motion = d.image("of motion"), out = d.image("out"), unread = d.image("unread"),
-                   never = d.image("never");
+                   never = d.image("never"), namesake = d.image("motion");
     EXPECT_EQ(d.graph.needed(false, {"motion", "nothing moves"}, {motion}), but != "motion");
-    d.compute("makes three", {}, {motion, out, unread});
+    d.compute("makes four", {}, {motion, out, unread, namesake});
     d.compute("never runs", {out}, {never});
     d.graph.want(out);
     const FramePlan plan = cull(d.graph);
+    EXPECT_TRUE(plan.images[namesake.index].live) << "what was asked for by name is that, and nothing else";
     EXPECT_EQ(plan.images[motion.index].live, but != "motion") << but;
     EXPECT_EQ(plan.images[unread.index].live, but != "unread") << but;
     EXPECT_EQ(plan.passes.size(), but == "never runs" ? 1u : 2u) << but;

@@ -11,9 +11,12 @@ namespace {
 
 class Motion : public StudioTest {};
 
-MotionDeviation deviation(Studio& studio, FrameInput input) {
+MotionDeviation deviation(Studio& studio, FrameInput input, bool broken = false) {
   input.wanted = {{Output::motion}, {Output::depth}, {Output::object}, {Output::previous_depth}};
-  const FrameResult result = studio.renderer.render(input);
+  FrameResult result = studio.renderer.render(input);
+  if (broken)
+    for (const size_t image : {0, 3})
+      for (float& value : result.delivered[image].image.values) value = NAN;
   const TaaSettings& taa = input.modes[0].taa;
   return motion_deviation(studio.renderer.scene(), input,
                           jitter_offset(taa.policy.jitter, input.index) * double(taa.jitter_scale),
@@ -35,6 +38,14 @@ TEST_F(Motion, IsExactToTwoHundredthsOfAPixel) {
         EXPECT_GT(worst.moving, 300u);
       }
     }
+}
+
+TEST_F(Motion, ThatIsNoNumberIsAsWrongAsCanBe) {
+  FrameInput input = studio->frame("drive", 5, {run_of("blend")}, {});
+  for (const double turned : {0.0, 3.0}) { // what was behind the camera is judged by itself
+    input.before.camera *= glm::angleAxis(turned, glm::dvec3(0, 1, 0));
+    EXPECT_EQ(deviation(*studio, input, true).motion_px, INFINITY);
+  }
 }
 
 TEST_F(Motion, IsExactWhenTheCameraZooms) {

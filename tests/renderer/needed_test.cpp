@@ -168,8 +168,8 @@ TEST_F(Needed, WithoutTagsThereIsNoTagHistory) {
 TEST_F(Needed, ARowWithoutDilationReadsNoNeighboursDepth) {
   const Drawn centre = expect_same(studio->renderer, "drive", {"gdk-clamp"}),
               dilated = draw(studio->renderer, "drive", {"uncharted"});
-  EXPECT_FALSE(centre.has_image("depth to load"));
-  EXPECT_TRUE(dilated.has_image("depth to load"));
+  EXPECT_FALSE(centre.has_image("depth copy"));
+  EXPECT_TRUE(dilated.has_image("depth copy"));
   const Drawn all = draw_all(studio->renderer, "drive", {"gdk-clamp"}),
               without = draw_all(studio->renderer, "drive", {"gdk-clamp"}, {}, "depth of neighbours");
   EXPECT_TRUE(without.looks_like(all));
@@ -194,7 +194,7 @@ TEST_F(Needed, WithoutASunThereIsNoShadowMap) {
 
 TEST_F(Needed, OffHasNoHistoryNoJitterAndNoMotion) {
   const Drawn off = expect_same(studio->renderer, "drive", {"off"});
-  EXPECT_FALSE(off.has_image("history") || off.has_image("motion,") || off.has_image("depth to load"));
+  EXPECT_FALSE(off.has_image("history") || off.has_image("motion,") || off.has_image("depth copy"));
   for (const std::string& name : off.passes())
     EXPECT_FALSE(name == "motion" || name.starts_with("taa")) << name;
   EXPECT_EQ(off.why_without("history"), "this mode keeps none");
@@ -241,10 +241,10 @@ TEST_F(KeptAll, EveryModeLooksTheSame) {
 }
 
 TEST_F(KeptAll, EveryRigAndViewLooksTheSame) {
-  for (const char* rig : {"still", "rotate", "pass"}) expect_same(studio->renderer, rig, {"uncharted"});
-  for (const View view : {View::motion, View::shadow, View::history, View::age})
+  for (const Rig& rig : rigs()) expect_same(studio->renderer, std::string(rig.name).c_str(), {"uncharted"});
+  for (const Answer& view : answers<View>())
     expect_same(studio->renderer, "drive", {"off", "grand-tour"},
-                [view](FrameInput& input) { input.settings.view = view; });
+                [&](FrameInput& input) { input.settings.view = View(view.value); });
 }
 
 TEST_F(KeptAll, TheNaiveResolveAndWhatNoRowHasLookTheSame) {

@@ -86,6 +86,10 @@ Scene block_scene(const BlockWorld& world) {
   return scene;
 }
 
+Renderer block_renderer(Device& device, const std::filesystem::path& shaders) {
+  return {device, shaders, block_scene({.chequered = true})};
+}
+
 Instant block_instant(const BlockWorld& world, glm::dvec3 moved) {
   const glm::dvec3 origin(world.origin), eye = origin + double(world.side) * glm::dvec3(1.5, 2.2, 4.5);
   Instant instant;

@@ -2,7 +2,7 @@
 // changes.
 #pragma once
 
-#include "renderer/frame_input.h"
+#include "renderer/renderer.h"
 
 namespace unghost {
 
@@ -14,6 +14,8 @@ struct BlockWorld {
 };
 
 Scene block_scene(const BlockWorld& world);
+/// Of the chequered world.
+Renderer block_renderer(Device& device, const std::filesystem::path& shaders);
 /// The camera looks down at the block, which is `moved` metres from its place.
 Instant block_instant(const BlockWorld& world, glm::dvec3 moved);
 /// The block drives over the usual chequered world and the camera follows: what lies between this frame and

@@ -5,6 +5,7 @@
 
 #include <glm/gtc/packing.hpp>
 
+#include "app/interruption.h"
 #include "app/measure/stability/matrix.h"
 #include "shaders/shared/tonemap.h"
 
@@ -127,6 +128,7 @@ double shown(float value) { return 255 * display_from_linear(glm::vec3(value)).x
 std::vector<Survival> survive_a_sun(StabilityBench& bench, std::span<const ModeRun> modes) {
   std::vector<Survival> survived(modes.size());
   for (uint32_t frame = 0; frame < 24; ++frame) {
+    throw_if_interrupted();
     const ResolveInputs inputs = sun_at(frame);
     const auto results = bench.resolve.resolve(inputs, modes, frame == 0);
     for (size_t mode = 0; mode < modes.size(); ++mode)

@@ -4,6 +4,7 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "app/interruption.h"
 #include "app/measure/stability/block_world.h"
 #include "app/measure/stability/matrix.h"
 
@@ -62,6 +63,7 @@ std::vector<Survival> survive_events(StabilityBench& bench, std::span<const Mode
   for (const Event& event : events) {
     std::vector<uint32_t> frames_with_ghosts(modes.size());
     for (int frame = -int(before_event); frame < int(frames_after_event); ++frame) {
+      throw_if_interrupted();
       FrameInput input{.now = event.at(frame), .before = event.at(frame - 1)};
       input.index = uint64_t(frame + int(before_event)), input.cut = input.index == 0;
       input.width = width, input.height = height, input.modes = runs;

@@ -8,6 +8,7 @@
 #include "app/measure/display.h"
 #include "app/measure/flip.h"
 #include "app/measure/stability/matrix.h"
+#include "app/measure/stability_table.h"
 
 namespace unghost {
 namespace {
@@ -37,6 +38,10 @@ using Fault = std::function<std::optional<HistoryFault>(ResolveInputs&, size_t p
 
 /// Each far enough from the others for none to be near two.
 uint32_t column_of(size_t fault) { return 14 + 26 * uint32_t(fault); }
+
+std::string text_of(size_t fault) {
+  return std::isfinite(faults[fault]) ? value_text(double(faults[fault])) : std::to_string(faults[fault]);
+}
 
 using Frames = std::vector<std::vector<std::vector<glm::vec3>>>; // by frame, by mode
 
@@ -83,7 +88,7 @@ void compare(Survival& survived, const std::vector<glm::vec3>& now, const std::v
     const bool finite = std::isfinite(now[i].x) && std::isfinite(now[i].y) && std::isfinite(now[i].z);
     if ((finite || frame == 0) && (now[i] == clean[i] || is_near(i))) continue;
     return worsen(survived, infinite,
-                  std::to_string(faults[fault_beside(i)]) + ", " + std::to_string(frame) +
+                  text_of(fault_beside(i)) + ", " + std::to_string(frame) +
                       " frames later: " + (finite ? "changed at " : "not finite at ") +
                       std::to_string(i % width) + ", " + std::to_string(i / width));
   }
@@ -98,7 +103,7 @@ void compare_next(Survival& survived, const std::vector<glm::vec3>& next,
     if (std::isfinite(faults[fault]) ||
         glm::distance(next[pixel], clean[pixel]) <= most * glm::length(clean[pixel]))
       continue;
-    worsen(survived, infinite, std::to_string(faults[fault]) + " is still seen a frame later");
+    worsen(survived, infinite, text_of(fault) + " is still seen a frame later");
   }
 }
 
@@ -107,7 +112,7 @@ std::string worst_place(const std::vector<glm::vec3>& a, const std::vector<glm::
   size_t worst = 0;
   for (size_t i = 1; i < a.size(); ++i)
     if (glm::distance(a[i], b[i]) > glm::distance(a[worst], b[worst])) worst = i;
-  return a == b ? "nowhere" : "most of " + std::to_string(faults[fault_beside(worst)]);
+  return a == b ? "nowhere" : "most of " + text_of(fault_beside(worst));
 }
 
 std::vector<Survival> survive(StabilityBench& bench, std::span<const ModeRun> modes, const Fault& fault) {

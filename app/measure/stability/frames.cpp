@@ -61,6 +61,14 @@ std::vector<Survival> survive_sizes(StabilityBench& bench, std::span<const ModeR
                  text_of(width, height));
         }
       }
+  for (int again = 0; again < 3; ++again, ++frame) {
+    FrameInput input = at(frame, modes);
+    input.now.camera = glm::angleAxis(1.5, glm::dvec3(1, 0, 0)); // up, where there is only sky
+    if (again > 0) input.before.camera = input.now.camera;
+    const Values values = drawn(bench, input);
+    for (size_t mode = 0; mode < modes.size(); ++mode)
+      worsen(survived[mode], double(wrong_values(values[mode])), "nothing in view");
+  }
   return survived;
 }
 

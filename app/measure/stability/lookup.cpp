@@ -1,6 +1,7 @@
 // Where a history is read: to a hundredth of a pixel, however small or large the motion.
 #include <cmath>
 
+#include "app/interruption.h"
 #include "app/measure/stability/matrix.h"
 #include "shaders/shared/frame.h"
 
@@ -33,12 +34,6 @@ double error_px(const std::vector<glm::vec3>& found, float motion) {
   return most;
 }
 
-bool same(const std::vector<glm::vec3>& a, const std::vector<glm::vec3>& b) {
-  for (size_t i = 0; i < a.size(); ++i)
-    if (a[i] != b[i]) return false;
-  return true;
-}
-
 } // namespace
 
 std::vector<Survival> look_up_histories(StabilityBench& bench, std::span<const ModeRun> modes) {
@@ -46,6 +41,7 @@ std::vector<Survival> look_up_histories(StabilityBench& bench, std::span<const M
   for (ModeRun& run : runs) run.taa.alpha = 0;
   std::vector<Survival> survived(modes.size());
   for (const float motion : {0.0f, 1e-6f, -1e-6f, 0.5f, 1.0f, -1.0f, 2.25f}) {
+    throw_if_interrupted();
     bench.resolve.advance(ramp(0), runs, true);
     const auto results = bench.resolve.resolve(ramp(motion), runs, false);
     for (size_t mode = 0; mode < runs.size(); ++mode)
@@ -63,7 +59,7 @@ std::vector<Survival> look_up_histories(StabilityBench& bench, std::span<const M
     const auto moved = bench.resolve.resolve(light, runs, false),
                fresh = bench.resolve.resolve(light, runs, true);
     for (size_t mode = 0; mode < runs.size(); ++mode)
-      if (!same(moved[mode], fresh[mode]))
+      if (moved[mode] != fresh[mode])
         worsen(survived[mode], INFINITY, "motion off the picture is no history");
   }
   // what has no motion has no history, also for those that reject nothing
@@ -72,7 +68,7 @@ std::vector<Survival> look_up_histories(StabilityBench& bench, std::span<const M
   bench.resolve.advance(dark, runs, true);
   const auto unknown = bench.resolve.resolve(light, runs, false);
   for (size_t mode = 0; mode < runs.size(); ++mode)
-    if (!same(unknown[mode], light.colours)) worsen(survived[mode], INFINITY, "no motion is no history");
+    if (unknown[mode] != light.colours) worsen(survived[mode], INFINITY, "no motion is no history");
   return survived;
 }
 

@@ -53,8 +53,12 @@ struct StabilityCase {
 };
 std::span<const StabilityCase> stability_cases();
 
-/// Every row that keeps a history, and each answer that none of them has in place of that of a row.
+/// Every row that keeps a history, and each answer that none of them has, in place of that of a row or beside
+/// it where there may be several.
 std::vector<ModeRun> stability_modes();
+
+/// Whether the settings have that answer, alone or among others.
+bool has_answer(const Setting& column, const Settings& settings, uint32_t answer);
 
 /// What a mode cannot survive, and how bad it may get.
 struct Excuse {

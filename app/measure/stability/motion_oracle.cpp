@@ -18,6 +18,9 @@ glm::dvec3 position_world(const FrameInput& input, glm::dvec2 pixel, double dept
   return input.now.eye + input.now.camera * view;
 }
 
+/// What is no number is as wrong as can be.
+void worsen(double& worst, double figure) { worst = std::isnan(figure) ? INFINITY : std::max(worst, figure); }
+
 } // namespace
 
 MotionDeviation motion_deviation(const Scene& scene, const FrameInput& input, glm::dvec2 jitter_px,
@@ -36,11 +39,10 @@ MotionDeviation motion_deviation(const Scene& scene, const FrameInput& input, gl
       const Projected expected = project(input.before, was, input.width, input.height);
       const glm::dvec2 expected_px = expected.pixel - pixel;
       const glm::dvec2 found(images.motion.values[2 * i], images.motion.values[2 * i + 1]);
-      if (expected.depth < 0 && glm::length(found) < too_far_px) worst.motion_px = INFINITY;
+      if (expected.depth < 0 && !(glm::length(found) >= too_far_px)) worst.motion_px = INFINITY;
       if (expected.depth <= input.before.near_plane / 2 || glm::length(expected_px) > too_far_px) continue;
-      worst.motion_px = std::max(worst.motion_px, glm::length(found - expected_px));
-      worst.depth =
-          std::max(worst.depth, std::abs(double(images.previous_depth.values[i]) / expected.depth - 1));
+      worsen(worst.motion_px, glm::length(found - expected_px));
+      worsen(worst.depth, std::abs(double(images.previous_depth.values[i]) / expected.depth - 1));
       worst.moving += now[node] != before[node];
       ++worst.surfaces;
     }

@@ -1,9 +1,10 @@
 // Motion where numbers are small, large, or far from the origin. All modes of a frame share it.
 #include <cmath>
 
-#include "app/measure/stability/motion_oracle.h"
+#include "app/interruption.h"
 #include "app/measure/stability/block_world.h"
 #include "app/measure/stability/matrix.h"
+#include "app/measure/stability/motion_oracle.h"
 #include "renderer/renderer.h"
 #include "renderer/view.h"
 
@@ -68,6 +69,7 @@ std::vector<Survival> survive(StabilityBench& bench, const char* what, double ca
   Survival survived;
   for (const Extreme& extreme : extremes()) {
     if (extreme.turned && camera_drifts == 0) continue;
+    throw_if_interrupted();
     const MotionDeviation worst = deviation(bench, extreme, camera_drifts, block_drifts);
     worsen(survived, worst.surfaces > 0 || extreme.turned ? worst.motion_px : INFINITY,
            std::string(extreme.name) + ", " + what);

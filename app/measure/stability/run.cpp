@@ -14,10 +14,12 @@
 namespace unghost {
 namespace {
 
+/// At least one, which is none where the system does not say.
+constexpr int any_core = -1;
 std::vector<int> cores_of_this_process() {
   cpu_set_t set;
   CPU_ZERO(&set);
-  sched_getaffinity(0, sizeof set, &set);
+  if (sched_getaffinity(0, sizeof set, &set) != 0) return {any_core};
   std::vector<int> cores;
   for (int core = 0; core < CPU_SETSIZE; ++core)
     if (CPU_ISSET(core, &set)) cores.push_back(core);
@@ -27,6 +29,7 @@ std::vector<int> cores_of_this_process() {
 /// A software device asks once how many cores there are, and draws with a thread for each; pictures as small
 /// as these take longer to hand over than to draw. With one it draws them where it is asked to.
 void keep_to(int core) {
+  if (core == any_core) return;
   cpu_set_t set;
   CPU_ZERO(&set);
   CPU_SET(core, &set);
@@ -58,7 +61,7 @@ std::vector<Survival> run_case(const StabilityCase& row, StabilityBench& bench,
                                const std::vector<ModeRun>& own, const Work& work) {
   switch (row.takers) {
   case Takers::by_mode:
-    return row.run(bench, own);
+    return own.empty() ? std::vector<Survival>{} : row.run(bench, own);
   case Takers::by_trial:
     return row.run(bench, work.request.modes);
   case Takers::alone:
@@ -73,7 +76,7 @@ Done run_all(const Work& work) {
   StabilityBench bench{.device = device,
                        .shaders = request.shaders,
                        .resolve = ResolveAlone(device, request.shaders),
-                       .blocks = Renderer(device, request.shaders, block_scene({.chequered = true})),
+                       .blocks = block_renderer(device, request.shaders),
                        .asphalt = [&]() -> const Film& { return request.asphalt(work.worker); },
                        .endurance = request.endurance,
                        .seed = request.seed,
@@ -89,6 +92,10 @@ Done run_all(const Work& work) {
       request.begins(row->name);
     }
     done.survived.push_back(run_case(*row, bench, own, work));
+    if (request.ends) {
+      const std::lock_guard lock(work.one_at_a_time);
+      request.ends();
+    }
   }
   done.validation_messages = device.validation_messages();
   return done;
@@ -111,7 +118,7 @@ std::vector<StabilityCell> cells_of(const StabilityRequest& request, const std::
   for (size_t row = 0; row < request.cases.size(); ++row) {
     const StabilityCase* of = request.cases[row];
     if (of->takers == Takers::alone) {
-      cells.push_back(judged(*of, "all", done[0].survived[row].at(0)));
+      cells.push_back(judged(*of, every_mode, done[0].survived[row].at(0)));
       continue;
     }
     for (size_t mode = 0; mode < request.modes.size(); ++mode) {
@@ -162,7 +169,10 @@ StabilityCell judged(const StabilityCase& row, std::string mode, const Survival&
 }
 
 size_t stability_workers(const StabilityRequest& request) {
-  return std::clamp<size_t>(request.modes.size(), 1, cores_of_this_process().size());
+  const bool by_trial = !request.trial && std::ranges::find(request.cases, Takers::by_trial,
+                                                            &StabilityCase::takers) != request.cases.end();
+  const size_t cores = cores_of_this_process().size();
+  return by_trial ? cores : std::clamp<size_t>(request.modes.size(), 1, cores);
 }
 
 StabilityResult run_stability(const StabilityRequest& request) {

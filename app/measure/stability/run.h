@@ -20,11 +20,12 @@ struct StabilityRequest {
   std::filesystem::path shaders;
   /// Our own scene on rig `drive`, for the worker of that number; it stays until all are done.
   std::function<const Film&(size_t worker)> asphalt;
-  /// A worker begins with a case; called from all of them, one at a time.
+  /// A worker begins with a case, and has done it; called from all of them, one at a time.
   std::function<void(std::string_view name)> begins;
+  std::function<void()> ends;
 };
 /// How many workers there would be: one for each core that this process may use, but no more than there are
-/// modes.
+/// modes where each has some.
 size_t stability_workers(const StabilityRequest& request);
 
 struct StabilityResult {

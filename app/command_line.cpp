@@ -107,11 +107,16 @@ void add_options(CLI::App& app, const CommandRow& row, CommandLine& line) {
         ->check(CLI::Range(1u, most_frames));
   if (row.options & anatomy)
     app.add_option("--rounds", line.rounds,
-                   "Of the frame and of what it was made without, in turns (default 3)")
+                   "Of the frame and of what it was made without, in turns (default 5)")
         ->check(CLI::Range(1u, most_frames));
   if (row.options & rounds_only)
     app.add_flag("--alone,!--no-alone", line.alone,
                  "Also draw each mode in frames of its own: what sharing the geometry saves");
+  if (row.options & watched)
+    app.add_flag("--watch,!--no-watch", line.watch,
+                 "Load the scene again when its files change, and the shaders when `ninja -C build shaders` "
+                 "has compiled them (what they share with C++ wants the whole program built); what is broken "
+                 "is told, and the old goes on");
   if (row.options & axis_search) {
     app.add_option("--faces", line.faces, "Of the polytope, two an axis (default 16)")
         ->check(CLI::Range(4u, 64u));
@@ -158,9 +163,18 @@ void refuse_unknown(const CLI::App& app, bool is_command) {
     throw WrongWords("there is no option '" + name + "'" + did_you_mean(name, known_words(app, true)));
   }
   if (is_command) throw WrongWords("'" + word + "' is one word too many");
-  if (word.ends_with(".gltf") || word.ends_with(".glb"))
-    throw WrongWords("there is no window yet: 'unghost capture " + word + " -o picture.png' draws it");
   throw WrongWords("there is no command '" + word + "'" + did_you_mean(word, known_words(app, false)));
+}
+
+/// `unghost car.glb` and `unghost --mode blend` mean the demo.
+std::vector<std::string> with_command(std::span<const char* const> given) {
+  std::vector<std::string> words(given.begin(), given.end());
+  if (words.empty()) return words;
+  const std::string& first = words.front();
+  const bool of_program = first == "-h" || first == "--help" || first == "--version";
+  if ((first.starts_with('-') && !of_program) || first.ends_with(".gltf") || first.ends_with(".glb"))
+    words.insert(words.begin(), std::string(default_command));
+  return words;
 }
 
 /// The library's "--size: 1 required TEXT missing" and "--size: At Most 1 required but received 2", in words.
@@ -201,7 +215,8 @@ std::variant<CommandLine, HelpText, VersionAsked> parse_command_line(std::span<c
   const std::unique_ptr<CLI::App> app = grammar(line, version);
   for (CLI::App* command : app->get_subcommands(nullptr)) command->allow_extras();
   try {
-    std::vector<std::string> reversed(words.rbegin(), words.rend());
+    std::vector<std::string> reversed = with_command(words);
+    std::ranges::reverse(reversed);
     app->parse(std::move(reversed));
   } catch (const CLI::CallForHelp&) {
     return HelpText{app->help()};

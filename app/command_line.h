@@ -78,7 +78,7 @@ struct CommandLine {
   MeasureWords measure;
   std::string device; // index or part of a name; empty: the best
   bool validate = false, timings = false, json = false, quiet = false, verbose = false, of_scene = false,
-       alone = false;
+       alone = false, watch = false;
   std::string output; // `-`: standard output
   std::filesystem::path sequence, buffers;
   FlipWords flip;

@@ -4,6 +4,8 @@ namespace unghost {
 
 std::span<const CommandRow> commands() {
   static constexpr CommandRow rows[] = {
+      {"demo", "Open a window in which the car drives, and switch every resolve",
+       drawing | one_mode | watched, demo},
       {"capture", "Render without a window and write a picture", drawing | one_mode | picture | frames_out,
        capture},
       {"compare", "Draw modes beside one another, from the same frames",
@@ -26,6 +28,7 @@ std::span<const CommandRow> commands() {
       {"axes", "Find axes of polytopes that fit tightly around colours", drawing | axis_search, axes},
       {"modes", "List the temporal resolves", 0, list_modes},
       {"rigs", "List the ways in which camera and vehicle move", 0, list_rigs},
+      {"keys", "List what keys and gamepad do in the demo", 0, list_keys},
       {"views", "List what can be drawn in place of the picture", 0, list_views},
       {"settings", "List every setting with its range", 0, list_settings},
       {"info", "Say which version, devices and folders there are", device, info},

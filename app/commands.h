@@ -41,6 +41,7 @@ enum CommandOptions : unsigned {
   shard_list = 1u << 16,
   endurance = 1u << 17, // which cases of stability, and for how long
   anatomy = 1u << 18,   // of one frame
+  watched = 1u << 19,   // files may change meanwhile
 };
 
 struct CommandRow {
@@ -50,7 +51,10 @@ struct CommandRow {
 };
 
 std::span<const CommandRow> commands();
+/// What words without a command mean.
+constexpr std::string_view default_command = "demo";
 
+void demo(const CommandLine& line, Console& console);
 void capture(const CommandLine& line, Console& console);
 void compare(const CommandLine& line, Console& console);
 void measure(const CommandLine& line, Console& console);
@@ -65,6 +69,7 @@ void bench(const CommandLine& line, Console& console);
 void explain(const CommandLine& line, Console& console);
 void list_modes(const CommandLine& line, Console& console);
 void list_rigs(const CommandLine& line, Console& console);
+void list_keys(const CommandLine& line, Console& console);
 void list_views(const CommandLine& line, Console& console);
 void list_settings(const CommandLine& line, Console& console);
 void info(const CommandLine& line, Console& console);

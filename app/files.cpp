@@ -130,7 +130,8 @@ void NewFile::commit() {
     });
     if (passing_name_.empty()) fail(errno);
   }
-  // a file system of a network may say only when it is closed that a disk is full; the lock stays for the move
+  // a file system of a network may say only when it is closed that a disk is full; the lock stays for the
+  // move
   const int again = dup(descriptor_);
   if (again < 0 || close(again) != 0) fail(errno);
   if (!passing_name_.empty() && std::rename(passing_name_.c_str(), path_.c_str()) != 0) fail(errno);

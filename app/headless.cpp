@@ -6,10 +6,8 @@
 
 #include "app/failure.h"
 #include "app/interruption.h"
-#include "app/measure/quantile.h"
 #include "app/paths.h"
 #include "app/stage.h"
-#include "app/table.h"
 
 namespace unghost {
 namespace {
@@ -75,8 +73,7 @@ void Headless::say_banner() const {
 
 FrameResult Headless::render_one(const FrameInput& input) {
   FrameResult result = renderer_->render(input);
-  note_passes(result);
-  ++drawn_;
+  times_.note(result);
   throw_if_interrupted(); // and not after a picture is in its place
   return result;
 }
@@ -108,34 +105,6 @@ void Headless::show_progress(uint32_t done) const {
                << std::flush;
 }
 
-void Headless::note_passes(const FrameResult& result) {
-  image_bytes_ = std::max(image_bytes_, result.image_bytes);
-  std::map<std::string, PassReport> of_frame;
-  for (const PassReport& pass : result.passes) {
-    if (!pass_records_.contains(pass.name) && !of_frame.contains(pass.name)) pass_order_.push_back(pass.name);
-    PassReport& sum = of_frame[pass.name];
-    sum.ms += pass.ms, sum.image_bytes += pass.image_bytes;
-  }
-  for (const auto& [name, sum] : of_frame) {
-    PassRecord& record = pass_records_[name];
-    ++record.frames;
-    record.ms.push_back(sum.ms);
-    record.image_bytes = std::max(record.image_bytes, sum.image_bytes);
-  }
-}
-
-std::vector<PassSummary> Headless::passes() const {
-  std::vector<PassSummary> summaries;
-  for (const std::string& name : pass_order_) {
-    const PassRecord& record = pass_records_.at(name);
-    summaries.push_back({.name = name,
-                         .frames = record.frames,
-                         .ms = quantile(record.ms, 0.5),
-                         .image_bytes = record.image_bytes});
-  }
-  return summaries;
-}
-
 nlohmann::json Headless::facts() const {
   const DeviceFacts& facts = device_->facts();
   return {{"device", facts.name},
@@ -146,17 +115,7 @@ nlohmann::json Headless::facts() const {
 }
 
 void Headless::finish() const {
-  if (line_.timings) {
-    Table table{{"pass", "frames", "ms", "images MiB"}};
-    double total_ms = 0;
-    for (const PassSummary& pass : passes()) {
-      const double mib = double(pass.image_bytes) / (1 << 20);
-      total_ms += pass.ms * double(pass.frames) / drawn_;
-      table.add({pass.name, std::to_string(pass.frames), fixed(pass.ms, 2), fixed(mib, 1)});
-    }
-    table.add({"a frame", "", fixed(total_ms, 2), fixed(double(image_bytes_) / (1 << 20), 1)});
-    console_.err << table.text();
-  }
+  if (line_.timings) console_.err << times_.text();
   const std::vector<std::string>& messages = device_->validation_messages();
   for (const std::string& message : messages) console_.err << message << "\n";
   if (!messages.empty())

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <functional>
-#include <map>
 #include <memory>
 #include <span>
 #include <string>
@@ -12,6 +11,7 @@
 
 #include "app/commands.h"
 #include "app/measure/film.h"
+#include "app/pass_times.h"
 #include "app/rigs.h"
 #include "app/shot.h"
 #include "renderer/gpu/device.h"
@@ -22,15 +22,6 @@ namespace unghost {
 /// Frame `index` of a shot: a pure function. Frame 0 is a cut, where nothing has moved.
 FrameInput frame_input(const Shot& shot, const RigContext& context, std::span<const ModeRun> modes,
                        uint32_t index);
-
-/// A pass over all frames: how many had it, the median of its times there in ms, and the most bytes that its
-/// images had. A frame that has it once a geometry or a mode counts once, with the sum.
-struct PassSummary {
-  std::string name;
-  size_t frames = 0;
-  double ms = 0;
-  uint64_t image_bytes = 0;
-};
 
 /// A shot's scene on a device. The constructor loads it, says a banner where times are not a GPU's, and
 /// throws Failure and GpuError.
@@ -49,7 +40,7 @@ public:
   /// Must not outlive this.
   Film film(std::function<void(double work)> drawn = {});
 
-  std::vector<PassSummary> passes() const;
+  std::vector<PassSummary> passes() const { return times_.summaries(); }
   /// device, driver, software, validation, debug_build.
   nlohmann::json facts() const;
   const DeviceFacts& device() const { return device_->facts(); }
@@ -59,14 +50,6 @@ public:
 private:
   void say_banner() const;
   FrameResult render_one(const FrameInput& input);
-  /// What is kept of a pass: a number a frame.
-  struct PassRecord {
-    size_t frames = 0;
-    std::vector<double> ms; // of the frames that were timed
-    uint64_t image_bytes = 0;
-  };
-
-  void note_passes(const FrameResult& result);
   void show_progress(uint32_t done) const;
 
   const CommandLine& line_;
@@ -75,10 +58,7 @@ private:
   RigContext context_;
   std::unique_ptr<Device> device_;
   std::unique_ptr<Renderer> renderer_;
-  std::vector<std::string> pass_order_;
-  std::map<std::string, PassRecord> pass_records_;
-  uint32_t drawn_ = 0;
-  uint64_t image_bytes_ = 0; // the most that a frame has
+  PassTimes times_;
 };
 
 } // namespace unghost

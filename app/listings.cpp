@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/commands.h"
+#include "app/demo/actions.h"
 #include "app/failure.h"
 #include "app/paths.h"
 #include "app/rigs.h"
@@ -130,6 +131,16 @@ void list_rigs(const CommandLine& line, Console& console) {
     table.add({std::string(rig.name), std::string(rig.summary)});
   }
   print(line, console, {{"rigs", list}}, table);
+}
+
+void list_keys(const CommandLine& line, Console& console) {
+  json list = json::array();
+  Table table{{"key", "gamepad", "what it does"}};
+  for (const Action& action : actions()) {
+    list.push_back({{"key", key_text(action)}, {"gamepad", button_text(action)}, {"what", action.what}});
+    table.add({key_text(action), std::string(button_text(action)), action.what});
+  }
+  print(line, console, {{"keys", list}}, table);
 }
 
 void list_views(const CommandLine& line, Console& console) {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstring>
 
-#include "app/font.h"
+#include "app/label.h"
 
 namespace unghost {
 namespace {
@@ -13,7 +13,7 @@ struct Colour {
   uint8_t r, g, b;
 };
 
-constexpr Colour background{20, 20, 22}, ink{255, 255, 255};
+constexpr Colour background{20, 20, 22};
 constexpr Colour crop_colours[crops_a_row] = {{255, 200, 40}, {70, 220, 255}};
 
 struct Place {
@@ -52,7 +52,7 @@ uint32_t best_columns(size_t count, double cell_aspect) {
 Layout layout_of(size_t count, const Image& first, bool with_crops) {
   Layout layout;
   layout.count = uint32_t(count);
-  layout.text_scale = std::max(1u, first.height / 270);
+  layout.text_scale = label_scale(first.height);
   layout.border = 4 * layout.text_scale;
   layout.cell_width = first.width;
   layout.cell_height = first.height;
@@ -79,12 +79,6 @@ void set(Image& canvas, uint32_t x, uint32_t y, Colour colour) {
   pixel[0] = colour.r, pixel[1] = colour.g, pixel[2] = colour.b;
 }
 
-void darken(Image& canvas, Place place, uint32_t width, uint32_t height) {
-  for (uint32_t y = place.y; y < std::min(place.y + height, canvas.height); ++y)
-    for (uint32_t x = place.x; x < std::min(place.x + width, canvas.width); ++x)
-      for (uint32_t c = 0; c < 3; ++c) canvas.rgba[(size_t(y) * canvas.width + x) * 4 + c] /= 5;
-}
-
 void copy(Image& canvas, const Image& picture, Place place) {
   for (uint32_t y = 0; y < picture.height; ++y)
     std::memcpy(canvas.rgba.data() + (size_t(place.y + y) * canvas.width + place.x) * 4,
@@ -106,19 +100,6 @@ void draw_frame(Image& canvas, Place place, uint32_t width, uint32_t height, uin
     for (uint32_t x = 0; x < width; ++x)
       if (x < thickness || y < thickness || x + thickness >= width || y + thickness >= height)
         set(canvas, place.x + x, place.y + y, colour);
-}
-
-// Cut at the cell's right edge, where the name is longer than the picture is wide.
-void draw_label(Image& canvas, const std::string& label, Place place, const Layout& layout) {
-  const uint32_t scale = layout.text_scale, margin = 3 * scale;
-  const uint32_t letters = std::min(uint32_t(label.size()), layout.cell_width / (glyph_width * scale));
-  darken(canvas, place, std::min(letters * glyph_width * scale + 2 * margin, layout.cell_width),
-         std::min(glyph_height * scale + 2 * margin, layout.cell_height));
-  for (uint32_t i = 0; i < letters; ++i)
-    for (uint32_t y = 0; y < glyph_height * scale; ++y)
-      for (uint32_t x = 0; x < glyph_width * scale; ++x)
-        if (font_pixel(label[i], x / scale, y / scale))
-          set(canvas, place.x + margin + i * glyph_width * scale + x, place.y + margin + y, ink);
 }
 
 void draw_crops(Image& canvas, const Image& picture, std::span<const Window> crops, Place cell,
@@ -145,7 +126,8 @@ Image picture_grid(std::span<const LabelledPicture> pictures, std::span<const Wi
     const Place cell = layout.cell(i);
     copy(canvas, pictures[i].picture, cell);
     draw_crops(canvas, pictures[i].picture, crops, cell, layout);
-    draw_label(canvas, pictures[i].label, cell, layout);
+    draw_label(canvas, pictures[i].label, {cell.x, cell.y, layout.cell_width, layout.cell_height},
+               layout.text_scale);
   }
   return canvas;
 }

@@ -1,5 +1,7 @@
 #include "app/run.h"
 
+#include <array>
+#include <cstdlib>
 #include <new>
 #include <string>
 
@@ -36,6 +38,14 @@ void say_version(std::ostream& out) {
   }
 }
 
+bool has_display() {
+  const auto names = [](const char* variable) {
+    const char* value = std::getenv(variable);
+    return value != nullptr && *value != 0;
+  };
+  return names("DISPLAY") || names("WAYLAND_DISPLAY");
+}
+
 Exit run_words(std::span<const char* const> words, std::ostream& out, std::ostream& err, bool terminal) {
   const auto parsed = parse_command_line(words);
   if (const auto* help = std::get_if<HelpText>(&parsed)) {
@@ -47,8 +57,9 @@ Exit run_words(std::span<const char* const> words, std::ostream& out, std::ostre
     return Exit::done;
   }
   const CommandLine& line = std::get<CommandLine>(parsed);
-  if (!line.command) { // the window's place
-    err << help_text();
+  if (!line.command) {
+    if (has_display()) return run_words(std::array{default_command.data()}, out, err, terminal);
+    err << help_text() << "There is no display for the window, which is what no words ask for.\n";
     return Exit::wrong_words;
   }
   Console console{.out = out, .err = err, .quiet = line.quiet, .verbose = line.verbose, .terminal = terminal};

@@ -69,6 +69,7 @@ bool has_tags(const Scene& scene) {
 /// The surroundings with `model` as their vehicle.
 Scene staged_model(Scene surroundings, const Scene& model, const Trs& fit) {
   surroundings.name = model.name;
+  surroundings.files = model.files;
   surroundings.vehicle = int(surroundings.nodes.size());
   Node vehicle;
   vehicle.name = "vehicle";

@@ -1,5 +1,6 @@
 #include "renderer/deliver.h"
 
+#include <cassert>
 #include <cstring>
 
 #include <glm/gtc/packing.hpp>
@@ -24,6 +25,13 @@ FloatImage floats(const FrameInput& input, const std::vector<std::byte>& bytes, 
     for (uint32_t channel = 0; channel < channels; ++channel)
       image.values.push_back(convert(load<T>(bytes, pixel * stride + channel)));
   return image;
+}
+
+Image picture(uint32_t width, uint32_t height, const std::vector<std::byte>& bytes) {
+  Image made{.name = {}, .width = width, .height = height, .rgba = {}};
+  made.rgba.resize(bytes.size());
+  std::memcpy(made.rgba.data(), bytes.data(), bytes.size());
+  return made;
 }
 
 } // namespace
@@ -53,6 +61,9 @@ void ask(FrameGraph& graph, const FrameImages& images, const Wanted& wanted) {
     return read(geometry.gbuffer.object);
   case Output::sun_visibility:
     return read(geometry.lit.visibility);
+  case Output::screen:
+    assert(images.screen && "a frame without a screen has none to bring");
+    return read(images.screen);
   }
 }
 
@@ -60,12 +71,12 @@ Delivered deliver(const FrameInput& input, Output what, const std::vector<std::b
   const auto same = [](float value) { return value; };
   Delivered delivered;
   switch (what) {
-  case Output::display: {
-    delivered.picture = {.name = {}, .width = input.width, .height = input.height, .rgba = {}};
-    delivered.picture.rgba.resize(bytes.size());
-    std::memcpy(delivered.picture.rgba.data(), bytes.data(), bytes.size());
+  case Output::display:
+    delivered.picture = picture(input.width, input.height, bytes);
     break;
-  }
+  case Output::screen:
+    delivered.picture = picture(input.screen->width, input.screen->height, bytes);
+    break;
   case Output::resolved:
   case Output::lit:
     delivered.image =

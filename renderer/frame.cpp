@@ -23,7 +23,7 @@ FrameImages::OfMode draw_mode(FrameGraph& graph, const FrameContext& in,
                                       .motion = geometry.motion,
                                       .lit = geometry.lit,
                                       .resolved = steady});
-  return {.resolved = crisp, .display = display};
+  return {.resolved = crisp, .display = display, .probe = steady.probe};
 }
 
 } // namespace
@@ -40,6 +40,11 @@ FrameImages declare_frame(FrameGraph& graph, const std::deque<FrameContext>& con
     images.modes.push_back(draw_mode(graph, contexts[geometry], images.geometries[geometry], place));
     images.modes.back().geometry = geometry;
     if (timed) graph.want(images.modes.back().resolved);
+  }
+  if (const auto& screen = contexts.front().screen) {
+    std::vector<ImageRef> displays;
+    for (const FrameImages::OfMode& mode : images.modes) displays.push_back(mode.display);
+    images.screen = compose_screen(graph, *screen, displays);
   }
   return images;
 }

@@ -12,6 +12,7 @@ namespace unghost {
 struct FrameImages {
   struct OfMode {
     ImageRef resolved, display;
+    ImageRef probe;      // none where no pixel of it is probed
     size_t geometry = 0; // index into `geometries`
   };
   struct OfGeometry {
@@ -21,6 +22,7 @@ struct FrameImages {
   };
   std::vector<OfMode> modes;
   std::vector<OfGeometry> geometries; // one for each jitter among the modes
+  ImageRef screen;                    // none where there is no window
 };
 
 /// Declares the frame. `contexts` has one entry for each jitter and outlives the graph; `geometry_of` says

@@ -10,7 +10,9 @@
 #include <glm/gtc/quaternion.hpp>
 
 #include "renderer/gpu/frame_report.h"
+#include "renderer/probe.h"
 #include "renderer/scene/scene.h"
+#include "renderer/screen.h"
 #include "renderer/settings.h"
 
 namespace unghost {
@@ -43,6 +45,7 @@ enum class Output {
   tag,            // 0 to 255
   object,         // node index + 1, 0 for the sky
   sun_visibility, // 0 in shadow to 1
+  screen,         // once a frame, where there is one: what the window shows, as `display` but of its size
 };
 
 struct Wanted {
@@ -59,10 +62,12 @@ struct FrameInput {
   uint32_t width = 1280, height = 720;
   Settings settings; // light, stage and view; each run brings its own taa
   std::vector<ModeRun> modes;
-  bool shown = false;   // the first mode's display is made, wanted or not
+  std::optional<ScreenInput> screen; // out of the first modes' displays
+  bool shown = false;                // the screen, or else the first mode's display, is made, wanted or not
   std::string left_out; // where settings keep everything: all but this, by its name in FrameResult
   bool timed = false;   // resolves every mode, wanted or not, and draws a full-screen copy to compare with
   std::vector<Wanted> wanted;
+  std::optional<ProbeInput> probe;
 };
 
 /// Values of an image, row by row from the top.
@@ -71,7 +76,7 @@ struct FloatImage {
   std::vector<float> values;
 };
 
-/// What came of one Wanted: `picture` for the display, `image` for all else.
+/// What came of one Wanted: `picture` for the display and the screen, `image` for all else.
 struct Delivered {
   Image picture;
   FloatImage image;
@@ -79,6 +84,7 @@ struct Delivered {
 
 struct FrameResult {
   std::vector<Delivered> delivered; // as many as were wanted, in their order
+  std::optional<ProbedPixel> probe; // where there was one
   std::vector<PassReport> passes;
   std::vector<UsedImage> images; // all that the frame touches, each once
   std::vector<LeftOut> left_out;

@@ -271,6 +271,8 @@ FrameSetup describe_frame(FrameGraph& graph, const FrameInput& given, const Scen
                   .modes = given.modes,
                   .view = input.settings.view,
                   .size = {input.width, input.height},
+                  .screen = input.screen,
+                  .probe = input.probe,
                   .index = input.index,
                   .cut = input.cut,
                   .constants = {},

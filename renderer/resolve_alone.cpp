@@ -131,6 +131,7 @@ struct ResolveAlone::Parts {
 
   RunResult run(const ResolveInputs& inputs, std::span<const ModeRun> runs, bool cut, bool brings,
                 std::span<const HistoryFault> faults) {
+    runner.make_room();
     since_cut = cut ? 0 : since_cut + 1; // so that the same pictures give the same bits
     FrameConstants constants{};
     constants.size_px = {inputs.width, inputs.height};

@@ -4,6 +4,7 @@
 #include <numeric>
 #include <vector>
 
+#include "renderer/screen.h"
 #include "renderer/settings.h"
 
 namespace unghost {
@@ -54,6 +55,7 @@ UNGHOST_ANSWERS(Resolver, TAA_RESOLVER)
 UNGHOST_ANSWERS(Store, TAA_STORE)
 UNGHOST_ANSWERS(View, UNGHOST_VIEWS)
 UNGHOST_ANSWERS(Stage, UNGHOST_STAGES)
+UNGHOST_ANSWERS(Arrangement, UNGHOST_ARRANGEMENTS)
 
 std::string joined(std::span<const std::string> words, std::string_view between) {
   std::string text;

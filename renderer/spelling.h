@@ -13,8 +13,8 @@ struct Answer {
   uint32_t value = 0;
 };
 
-/// Every answer of a column, in the order of its list; the enums of taa_modes.h, View and Stage have one. A
-/// set of flags has no entry for the empty set.
+/// Every answer of a column, in the order of its list; the enums of taa_modes.h, View, Stage and Arrangement
+/// have one. A set of flags has no entry for the empty set.
 template <class Column> std::span<const Answer> answers();
 
 /// The spelling of one answer; empty for a value that is none.

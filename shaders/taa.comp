@@ -280,7 +280,7 @@ void main() {
       vec3 blurred = needs_blurred()
                          ? (s.blurred_rows[i] + 2 * s.blurred_rows[i + 1] + s.blurred_rows[i + 2]) / 16
                          : centre;
-      float moved = needs_volume() && (blend == blend_attenuated || writes_to(TAA_WRITES_WHY))
+      float moved = needs_volume() && (blend == blend_attenuated || writes_to(TAA_WRITES_WHY | TAA_WRITES_PROBE))
                         ? moved_by(found[i], clipped[i])
                         : 0;
       result = resolve(r[i], rejection(r[i], speakers[i]), centre, blurred, clipped[i], moved);

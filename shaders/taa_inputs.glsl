@@ -67,6 +67,7 @@ layout(set = 0, binding = TAA_DEPTH_OUT, r32f) uniform writeonly image2D depth_o
 layout(set = 0, binding = TAA_OBJECT_OUT, r32ui) uniform writeonly uimage2D object_out;
 layout(set = 0, binding = TAA_WHY_OUT, rgba8) uniform writeonly image2D why_out;
 layout(set = 0, binding = TAA_HISTORY_OUT, rgba16f) uniform writeonly image2D history_out;
+layout(set = 0, binding = TAA_PROBE_OUT, rgba32f) uniform writeonly image2D probe_out;
 layout(push_constant, scalar) uniform Push { TaaPush push; };
 
 /// What is not a number ends here: it would spread through the history for ever.

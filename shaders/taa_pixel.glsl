@@ -53,9 +53,11 @@ struct Resolve {
   uint causes;   // of the history's rejection, in whole or in part: bits of `reject`
   float rectified;  // how far the history was moved: 1 by a tenth of itself or more
   vec3 history;     // as it was used
+  vec3 found, bounded;  // for the probe: as it was read, linear; rectified, in the working space
+  bool has_history;
 };
 
-Resolve without_history(vec3 centre) { return Resolve(centre, 1, 1, 0, 0, centre); }
+Resolve without_history(vec3 centre) { return Resolve(centre, 1, 1, 0, 0, centre, vec3(0), vec3(0), false); }
 
 /// What speaks for a pixel. Its depth and tag are 0 where no test asks for them.
 struct Speaker {
@@ -167,6 +169,7 @@ Resolve resolve(Reprojected r, Rejection j, vec3 centre, vec3 blurred, vec3 boun
   }
   result.causes = j.causes;
   result.rectified = moved;
+  if (writes_to(TAA_WRITES_PROBE)) result.found = r.found, result.bounded = bounded, result.has_history = true;
   if (writes_to(TAA_WRITES_HISTORY)) result.history = from_working(bounded);
   if (j.whole) return result;
   float weight = mix(blend_weight(r.count, moved), 1, j.share);
@@ -194,6 +197,14 @@ vec3 stored(vec3 colour, ivec2 pixel) {
   return store == store_dithered ? rounded(colour, pixel) : clamp(colour, vec3(0), vec3(65504));
 }
 
+void write_probe(ivec2 pixel, Speaker speaker, Resolve r) {
+  if (any(notEqual(pixel, push.probe_px))) return;
+  ivec2 off = speaker.at - pixel + 1;
+  imageStore(probe_out, ivec2(TAA_PROBE_FOUND, 0), vec4(r.found, 3 * off.y + off.x));
+  imageStore(probe_out, ivec2(TAA_PROBE_BOUNDED, 0), vec4(r.bounded, r.weight));
+  imageStore(probe_out, ivec2(TAA_PROBE_WHY, 0), vec4(r.rectified, r.causes, r.count, r.has_history));
+}
+
 /// Writes all that is asked for. The tag goes with the history, and costs no image of its own.
 void write_pixel(ivec2 pixel, Speaker speaker, vec3 centre, Resolve r) {
   float tag = tests_tags() ? speaker.tag : 0;
@@ -206,6 +217,7 @@ void write_pixel(ivec2 pixel, Speaker speaker, vec3 centre, Resolve r) {
   if (writes_to(TAA_WRITES_WHY))
     imageStore(why_out, pixel, vec4(r.weight, r.rectified, float(r.causes) / 255, r.count / 255));
   if (writes_to(TAA_WRITES_HISTORY)) imageStore(history_out, pixel, vec4(r.history, 1));
+  if (writes_to(TAA_WRITES_PROBE)) write_probe(pixel, speaker, r);
 }
 
 #endif

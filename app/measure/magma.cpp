@@ -5,19 +5,17 @@
 
 #include <glm/glm.hpp>
 
+#include "shaders/shared/magma.h"
+
 namespace unghost {
 namespace {
 
-/// A fit of sixth degree by Matt Zucker (2019, CC0); off by at most 4 of 255.
 glm::dvec3 magma_at(double t) {
-  constexpr glm::dvec3 c0(-0.002136485053939582, -0.000749655052795221, -0.005386127855323933),
-      c1(0.2516605407371642, 0.6775232436837668, 2.494026599312351),
-      c2(8.353717279216625, -3.577719514958484, 0.3144679030132573),
-      c3(-27.66873308576866, 14.26473078096533, -13.64921318813922),
-      c4(52.17613981234068, -27.94360607168351, 12.94416944238394),
-      c5(-50.76852536473588, 29.04658282127291, 4.23415299384598),
-      c6(18.65570506591883, -11.48977351997711, -5.601961508734096);
-  return c0 + t * (c1 + t * (c2 + t * (c3 + t * (c4 + t * (c5 + t * c6)))));
+  glm::dvec3 colour(0);
+#define MAGMA_TERM(red, green, blue) colour = glm::dvec3(red, green, blue) + t * colour;
+  MAGMA_TERMS(MAGMA_TERM)
+#undef MAGMA_TERM
+  return colour;
 }
 
 } // namespace

@@ -1,6 +1,7 @@
 #include "renderer/gpu/device.h"
 
 #include <algorithm>
+#include <cassert>
 
 #include "renderer/gpu/instance.h"
 
@@ -49,15 +50,20 @@ void check(VkResult result, const char* doing) {
 }
 
 Device::Device(const DeviceRequest& request) {
-  instance_ = create_instance(request.validate);
+  const bool in_window = request.window.has_value();
+  instance_ =
+      create_instance(request.validate, in_window ? request.window->extensions : std::vector<const char*>{});
   try {
     if (request.validate) messenger_ = listen(instance_, messages_);
+    if (in_window) surface_ = request.window->make(instance_);
     const auto physical = physical_devices(instance_);
     std::vector<DeviceFacts> all;
-    for (const VkPhysicalDevice one : physical) all.push_back(facts_of(one));
+    for (const VkPhysicalDevice one : physical) all.push_back(facts_of(one, surface_));
     const size_t chosen = chosen_device(all, request.which);
     facts_ = all[chosen];
-    create_device(physical[chosen]);
+    physical_ = physical[chosen];
+    create_device();
+    create_submissions();
     if (request.validate)
       set_name_ = reinterpret_cast<PFN_vkSetDebugUtilsObjectNameEXT>(
           vkGetInstanceProcAddr(instance_, "vkSetDebugUtilsObjectNameEXT"));
@@ -67,34 +73,37 @@ Device::Device(const DeviceRequest& request) {
   }
 }
 
-void Device::create_device(VkPhysicalDevice physical) {
-  vkGetPhysicalDeviceProperties(physical, &properties_);
-  vkGetPhysicalDeviceMemoryProperties(physical, &memory_);
+void Device::create_device() {
+  vkGetPhysicalDeviceProperties(physical_, &properties_);
+  vkGetPhysicalDeviceMemoryProperties(physical_, &memory_);
   Features features;
   for (const NeededFeature& feature : needed_features()) feature.in(features) = VK_TRUE;
-  const QueueFamily chosen = queue_family(physical);
-  const uint32_t family = uint32_t(chosen.index);
+  const QueueFamily chosen = unghost::queue_family(physical_);
+  queue_family_ = uint32_t(chosen.index);
   tick_mask_ = chosen.timestamp_bits < 64 ? (uint64_t(1) << chosen.timestamp_bits) - 1 : ~uint64_t(0);
   const float priority = 1;
   const VkDeviceQueueCreateInfo queue{.sType = VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO,
-                                      .queueFamilyIndex = family,
+                                      .queueFamilyIndex = queue_family_,
                                       .queueCount = 1,
                                       .pQueuePriorities = &priority};
-  const char* extensions[] = {VK_KHR_PUSH_DESCRIPTOR_EXTENSION_NAME};
+  std::vector<const char*> extensions = {VK_KHR_PUSH_DESCRIPTOR_EXTENSION_NAME};
+  if (surface_ != VK_NULL_HANDLE) extensions.push_back(VK_KHR_SWAPCHAIN_EXTENSION_NAME);
   const VkDeviceCreateInfo info{.sType = VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO,
                                 .pNext = &features.core,
                                 .queueCreateInfoCount = 1,
                                 .pQueueCreateInfos = &queue,
-                                .enabledExtensionCount = 1,
-                                .ppEnabledExtensionNames = extensions};
-  check(vkCreateDevice(physical, &info, nullptr, &device_), "opening the device");
-  vkGetDeviceQueue(device_, family, 0, &queue_);
+                                .enabledExtensionCount = uint32_t(extensions.size()),
+                                .ppEnabledExtensionNames = extensions.data()};
+  check(vkCreateDevice(physical_, &info, nullptr, &device_), "opening the device");
+  vkGetDeviceQueue(device_, queue_family_, 0, &queue_);
   push_descriptors = reinterpret_cast<PFN_vkCmdPushDescriptorSetKHR>(
       vkGetDeviceProcAddr(device_, "vkCmdPushDescriptorSetKHR"));
+}
 
+void Device::create_submissions() {
   const VkCommandPoolCreateInfo pool{.sType = VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO,
                                      .flags = VK_COMMAND_POOL_CREATE_RESET_COMMAND_BUFFER_BIT,
-                                     .queueFamilyIndex = family};
+                                     .queueFamilyIndex = queue_family_};
   VkCommandPool made = VK_NULL_HANDLE;
   check(vkCreateCommandPool(device_, &pool, nullptr, &made), "making a command pool");
   pool_ = {device_, made};
@@ -102,17 +111,19 @@ void Device::create_device(VkPhysicalDevice physical) {
                                                .commandPool = pool_,
                                                .level = VK_COMMAND_BUFFER_LEVEL_PRIMARY,
                                                .commandBufferCount = 1};
-  check(vkAllocateCommandBuffers(device_, &allocation, &commands_), "making a command buffer");
   const VkFenceCreateInfo fence{.sType = VK_STRUCTURE_TYPE_FENCE_CREATE_INFO};
-  VkFence signal = VK_NULL_HANDLE;
-  check(vkCreateFence(device_, &fence, nullptr, &signal), "making a fence");
-  fence_ = {device_, signal};
+  for (Submission& submission : submissions_) {
+    check(vkAllocateCommandBuffers(device_, &allocation, &submission.commands), "making a command buffer");
+    VkFence signal = VK_NULL_HANDLE;
+    check(vkCreateFence(device_, &fence, nullptr, &signal), "making a fence");
+    submission.fence = {device_, signal};
+  }
 }
 
 Device::~Device() { release(); }
 
 void Device::release() {
-  fence_ = {};
+  for (Submission& submission : submissions_) submission = {};
   pool_ = {};
   if (device_ != VK_NULL_HANDLE) vkDestroyDevice(device_, nullptr);
   if (messenger_ != VK_NULL_HANDLE) {
@@ -120,6 +131,7 @@ void Device::release() {
         vkGetInstanceProcAddr(instance_, "vkDestroyDebugUtilsMessengerEXT"));
     destroy(instance_, messenger_, nullptr);
   }
+  if (surface_ != VK_NULL_HANDLE) vkDestroySurfaceKHR(instance_, surface_, nullptr);
   if (instance_ != VK_NULL_HANDLE) vkDestroyInstance(instance_, nullptr);
 }
 
@@ -146,30 +158,58 @@ OwnedMemory Device::allocate(const VkMemoryRequirements& needs, VkMemoryProperty
   return {};
 }
 
-void Device::run(const std::function<void(VkCommandBuffer)>& record) {
+void Device::run(const Record& record) {
+  submit(by_itself, record, {});
+  wait(by_itself);
+}
+
+void Device::submit(size_t flight, const Record& record, const SubmitSync& sync) {
+  Submission& submission = submissions_[flight];
+  assert(!submission.pending);
   const VkCommandBufferBeginInfo begin{.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO,
                                        .flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT};
-  check(vkBeginCommandBuffer(commands_, &begin), "recording");
+  check(vkBeginCommandBuffer(submission.commands, &begin), "recording");
   try {
-    record(commands_);
+    record(submission.commands);
   } catch (...) {
-    vkResetCommandBuffer(commands_, 0);
+    vkResetCommandBuffer(submission.commands, 0);
     throw;
   }
-  check(vkEndCommandBuffer(commands_), "recording");
+  check(vkEndCommandBuffer(submission.commands), "recording");
   const VkCommandBufferSubmitInfo buffer{.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_SUBMIT_INFO,
-                                         .commandBuffer = commands_};
-  const VkSubmitInfo2 submit{
-      .sType = VK_STRUCTURE_TYPE_SUBMIT_INFO_2, .commandBufferInfoCount = 1, .pCommandBufferInfos = &buffer};
-  check(vkQueueSubmit2(queue_, 1, &submit, fence_), "submitting work");
-  const VkFence fence = fence_;
+                                         .commandBuffer = submission.commands};
+  // a window's image is written at the very end, so that all before need not wait for it
+  const VkSemaphoreSubmitInfo wait_for{.sType = VK_STRUCTURE_TYPE_SEMAPHORE_SUBMIT_INFO,
+                                       .semaphore = sync.wait,
+                                       .stageMask = VK_PIPELINE_STAGE_2_BLIT_BIT};
+  const VkSemaphoreSubmitInfo signals{.sType = VK_STRUCTURE_TYPE_SEMAPHORE_SUBMIT_INFO,
+                                      .semaphore = sync.signal,
+                                      .stageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT};
+  const VkSubmitInfo2 submit{.sType = VK_STRUCTURE_TYPE_SUBMIT_INFO_2,
+                             .waitSemaphoreInfoCount = sync.wait != VK_NULL_HANDLE,
+                             .pWaitSemaphoreInfos = &wait_for,
+                             .commandBufferInfoCount = 1,
+                             .pCommandBufferInfos = &buffer,
+                             .signalSemaphoreInfoCount = sync.signal != VK_NULL_HANDLE,
+                             .pSignalSemaphoreInfos = &signals};
+  check(vkQueueSubmit2(queue_, 1, &submit, submission.fence), "submitting work");
+  submission.pending = true;
+}
+
+void Device::wait(size_t flight) {
+  Submission& submission = submissions_[flight];
+  if (!submission.pending) return;
+  const VkFence fence = submission.fence;
   const VkResult waited =
       vkWaitForFences(device_, 1, &fence, VK_TRUE, facts_.software ? UINT64_MAX : longest_wait_ns);
   if (waited == VK_TIMEOUT)
     throw GpuError(GpuFault::lost, "the device did not answer for a minute; try a smaller --size");
   check(waited, "waiting for the device");
   check(vkResetFences(device_, 1, &fence), "waiting for the device");
+  submission.pending = false;
 }
+
+void Device::wait_idle() const { vkDeviceWaitIdle(device_); }
 
 void Device::name(uint64_t handle, VkObjectType type, const std::string& name) const {
   if (set_name_ == nullptr) return;

@@ -90,9 +90,9 @@ void FrameGraph::compute(ComputePass pass) {
                      }});
 }
 
-size_t FrameGraph::read_back(ImageRef image, VkImageAspectFlags aspect) {
+size_t FrameGraph::read_back(ImageRef image, VkImageAspectFlags aspect, std::optional<VkRect2D> part) {
   want(image);
-  readbacks_.push_back({image, aspect});
+  readbacks_.push_back({image, aspect, part.value_or(VkRect2D{{}, desc(image).extent})});
   const size_t place = readbacks_.size() - 1;
   passes_.push_back({.name = "read back " + desc(image).name,
                      .kind = PassKind::transfer,

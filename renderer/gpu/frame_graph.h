@@ -151,8 +151,9 @@ public:
   void compute(ComputePass pass);
   /// This image is what the frame is for.
   void want(ImageRef image) { wanted_.push_back(image); }
-  /// Brings an aspect of the image to the host; the answer is the place in the runner's list of readbacks.
-  size_t read_back(ImageRef image, VkImageAspectFlags aspect);
+  /// Brings an aspect of the image, or a part of it, to the host; the answer is the place in the runner's
+  /// list of readbacks.
+  size_t read_back(ImageRef image, VkImageAspectFlags aspect, std::optional<VkRect2D> part = {});
 
   struct GraphImage {
     ImageDesc desc;
@@ -164,6 +165,7 @@ public:
   struct ReadbackRequest {
     ImageRef image;
     VkImageAspectFlags aspect = 0;
+    VkRect2D part{};
   };
   const std::vector<GraphImage>& images() const { return images_; }
   const std::vector<Pass>& passes() const { return passes_; }

@@ -1,6 +1,7 @@
 #include "renderer/gpu/graph_runner.h"
 
 #include <algorithm>
+#include <cassert>
 
 namespace unghost {
 namespace {
@@ -54,17 +55,21 @@ OwnedSampler make_linear_sampler(VkDevice device) {
   return {device, made};
 }
 
-/// Gives frame memory back however a frame ends.
-struct GivenBack {
-  FrameMemory& memory;
-  ~GivenBack() { memory.reset(); }
-};
-
 } // namespace
 
 GraphRunner::GraphRunner(Device& device, std::filesystem::path shaders)
-    : device_(device), pipelines_(device, std::move(shaders)), memory_(device),
-      linear_(make_linear_sampler(device.handle())) {}
+    : device_(device), pipelines_(device, std::move(shaders)),
+      linear_(make_linear_sampler(device.handle())), flights_{Flight(device), Flight(device)} {
+  static_assert(frames_in_flight == 2);
+}
+
+GraphRunner::~GraphRunner() { device_.wait_idle(); }
+
+/// What was there goes when this frame has been waited for.
+void GraphRunner::replace(Place& place, Place with) {
+  if (place.image != nullptr) flights_[next_].replaced.push_back(std::move(place.image));
+  place = std::move(with);
+}
 
 uint32_t GraphRunner::place_for(const FrameGraph::GraphImage& image, const PlannedImage& planned,
                                 uint64_t frame) {
@@ -87,7 +92,7 @@ uint32_t GraphRunner::place_for(const FrameGraph::GraphImage& image, const Plann
   Place& chosen = pool_[place];
   if (chosen.image == nullptr || !serves(chosen.desc, desc)) {
     states_[place] = {};
-    chosen = {.desc = desc, .key = image.key, .image = std::make_unique<GpuImage>(device_, desc)};
+    replace(chosen, {.desc = desc, .key = image.key, .image = std::make_unique<GpuImage>(device_, desc)});
     if (image.key.starts_with(neutral_prefix)) clear_neutral(place);
   }
   chosen.taken = true;
@@ -141,51 +146,97 @@ void GraphRunner::forget_unused(uint64_t frame) {
   for (Place& place : pool_)
     if (place.last_frame + frames_until_forgotten < frame && !place.key.starts_with(neutral_prefix)) {
       kept_.erase(place.key);
-      place = {};
+      replace(place, {});
     }
 }
 
-void GraphRunner::prepare_queries(size_t count) {
-  if (count > query_count_) {
+void GraphRunner::prepare_queries(Flight& flight, size_t count) const {
+  if (count > flight.query_count) {
     const VkQueryPoolCreateInfo info{.sType = VK_STRUCTURE_TYPE_QUERY_POOL_CREATE_INFO,
                                      .queryType = VK_QUERY_TYPE_TIMESTAMP,
                                      .queryCount = uint32_t(count)};
     VkQueryPool made = VK_NULL_HANDLE;
     check(vkCreateQueryPool(device_.handle(), &info, nullptr, &made), "making a query pool");
-    queries_ = OwnedQueryPool(device_.handle(), made);
-    query_count_ = count;
+    flight.queries = OwnedQueryPool(device_.handle(), made);
+    flight.query_count = count;
   }
-  vkResetQueryPool(device_.handle(), queries_, 0, uint32_t(count));
+  vkResetQueryPool(device_.handle(), flight.queries, 0, uint32_t(count));
 }
 
-RunResult GraphRunner::run(const FrameGraph& graph) {
-  const GivenBack given_back{memory_};
+void GraphRunner::submit(const FrameGraph& graph, const SubmitSync& sync) {
+  Flight& flight = flights_[next_];
+  assert(!flight.result && "make_room comes first");
   FramePlan plan = cull(graph);
   const std::vector<uint32_t> places = assign(graph, plan);
   std::vector<ImageState> states = states_;
   derive_barriers(graph, plan, places, states);
-  prepare_queries(plan.passes.size() + 1);
-  while (readbacks_.size() < graph.readbacks().size()) readbacks_.push_back(nullptr);
+  prepare_queries(flight, plan.passes.size() + 1);
+  while (flight.readbacks.size() < graph.readbacks().size()) flight.readbacks.push_back(nullptr);
 
   const PassCommands::Context context{*this, graph, plan, places};
   const auto image_of = [&](ImageRef image) { return VkImage(pool_[places[image.index]].image->image); };
   RunResult result;
-  device_.run([&](VkCommandBuffer commands) {
-    vkCmdWriteTimestamp2(commands, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, queries_, 0);
-    for (size_t i = 0; i < plan.passes.size(); ++i) {
-      const Pass& pass = graph.passes()[plan.passes[i].pass];
-      record_barriers(commands, plan.passes[i].barriers, graph, image_of);
-      PassCommands pass_commands(context, pass, commands);
-      pass.record(pass_commands);
-      result.passes.push_back({.name = pass.name, .pipelines = pass_commands.used()});
-      vkCmdWriteTimestamp2(commands, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, queries_, uint32_t(i + 1));
-    }
-  });
+  device_.submit(
+      next_,
+      [&](VkCommandBuffer commands) {
+        vkCmdWriteTimestamp2(commands, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, flight.queries, 0);
+        for (size_t i = 0; i < plan.passes.size(); ++i) {
+          const Pass& pass = graph.passes()[plan.passes[i].pass];
+          record_barriers(commands, plan.passes[i].barriers, graph, image_of);
+          PassCommands pass_commands(context, pass, commands);
+          pass.record(pass_commands);
+          result.passes.push_back({.name = pass.name, .pipelines = pass_commands.used()});
+          vkCmdWriteTimestamp2(commands, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, flight.queries,
+                               uint32_t(i + 1));
+        }
+      },
+      sync);
   states_ = std::move(states);
   note_kept(graph, plan); // only now: what was not carried out changed nothing
-  collect(graph, plan, places, result);
+  count_images(graph, plan, places, result);
+  result.left_out = graph.left_out();
+  for (LeftOut& thing : unread(graph, plan)) result.left_out.push_back(std::move(thing));
+  flight.readback_bytes.clear();
+  for (const auto& [image, aspect, part] : graph.readbacks())
+    flight.readback_bytes.push_back(size_t(part.extent.width) * part.extent.height *
+                                    texel_bytes(graph.desc(image).format, aspect));
+  flight.result = std::move(result);
   forget_unused(graph.frame());
+  next_ = (next_ + 1) % flights_.size();
+}
+
+std::optional<RunResult> GraphRunner::land(size_t number) {
+  Flight& flight = flights_[number];
+  device_.wait(number);
+  flight.replaced.clear();
+  flight.memory.reset();
+  if (!flight.result) return {};
+  std::optional<RunResult> result = std::exchange(flight.result, std::nullopt);
+  std::vector<uint64_t> ticks(result->passes.size() + 1);
+  check(vkGetQueryPoolResults(device_.handle(), flight.queries, 0, uint32_t(ticks.size()), ticks.size() * 8,
+                              ticks.data(), 8, VK_QUERY_RESULT_64_BIT | VK_QUERY_RESULT_WAIT_BIT),
+        "reading times");
+  for (size_t i = 0; i < result->passes.size(); ++i)
+    result->passes[i].ms =
+        double((ticks[i + 1] - ticks[i]) & device_.tick_mask()) * device_.nanoseconds_per_tick() * 1e-6;
+  for (size_t i = 0; i < flight.readback_bytes.size(); ++i) {
+    const std::byte* bytes = flight.readbacks[i]->bytes().data();
+    result->readbacks.emplace_back(bytes, bytes + flight.readback_bytes[i]);
+  }
   return result;
+}
+
+void GraphRunner::reload_shaders() {
+  pipelines_.reload();
+  std::erase_if(kept_, [](const auto& kept) { return !kept.first.starts_with(neutral_prefix); });
+}
+
+std::optional<RunResult> GraphRunner::make_room() { return land(next_); }
+
+RunResult GraphRunner::finish() {
+  const size_t last = (next_ + flights_.size() - 1) % flights_.size();
+  assert(flights_[last].result && "something was submitted");
+  return *land(last);
 }
 
 void GraphRunner::count_images(const FrameGraph& graph, const FramePlan& plan,
@@ -205,27 +256,6 @@ void GraphRunner::count_images(const FrameGraph& graph, const FramePlan& plan,
   for (auto& [place, image] : used) {
     result.image_bytes += image.bytes;
     result.images.push_back(std::move(image));
-  }
-}
-
-void GraphRunner::collect(const FrameGraph& graph, const FramePlan& plan, const std::vector<uint32_t>& places,
-                          RunResult& result) {
-  std::vector<uint64_t> ticks(plan.passes.size() + 1);
-  check(vkGetQueryPoolResults(device_.handle(), queries_, 0, uint32_t(ticks.size()), ticks.size() * 8,
-                              ticks.data(), 8, VK_QUERY_RESULT_64_BIT | VK_QUERY_RESULT_WAIT_BIT),
-        "reading times");
-  for (size_t i = 0; i < plan.passes.size(); ++i)
-    result.passes[i].ms =
-        double((ticks[i + 1] - ticks[i]) & device_.tick_mask()) * device_.nanoseconds_per_tick() * 1e-6;
-  count_images(graph, plan, places, result);
-  result.left_out = graph.left_out();
-  for (LeftOut& thing : unread(graph, plan)) result.left_out.push_back(std::move(thing));
-  for (size_t i = 0; i < graph.readbacks().size(); ++i) {
-    const auto& [image, aspect] = graph.readbacks()[i];
-    const ImageDesc& desc = graph.desc(image);
-    const size_t size = size_t(desc.extent.width) * desc.extent.height * texel_bytes(desc.format, aspect);
-    const std::byte* bytes = readbacks_[i]->bytes().data();
-    result.readbacks.emplace_back(bytes, bytes + size);
   }
 }
 

@@ -2,7 +2,9 @@
 // names.
 #pragma once
 
+#include <array>
 #include <memory>
+#include <optional>
 
 #include "renderer/gpu/frame_memory.h"
 #include "renderer/gpu/frame_plan.h"
@@ -21,11 +23,27 @@ struct RunResult {
 class GraphRunner {
 public:
   GraphRunner(Device& device, std::filesystem::path shaders);
+  ~GraphRunner();
+  GraphRunner(const GraphRunner&) = delete;
+  GraphRunner& operator=(const GraphRunner&) = delete;
 
-  FrameMemory& memory() { return memory_; }
+  /// Waits for the frame that had the next frame's memory before. Returns what came of it, where it was
+  /// submitted and not asked for since.
+  std::optional<RunResult> make_room();
+  /// The next frame's; after `make_room`.
+  FrameMemory& memory() { return flights_[next_].memory; }
   KeptImages& kept() { return kept_; }
-  /// Runs the graph and waits for it. Frame memory is given back.
-  RunResult run(const FrameGraph& graph);
+  /// As Pipelines has it. What was drawn with other shaders is then forgotten.
+  void reload_shaders();
+  /// Submits the graph, and goes on to the next frame's memory.
+  void submit(const FrameGraph& graph, const SubmitSync& sync = {});
+  /// Waits for what was submitted last.
+  RunResult finish();
+  /// Submits the graph and waits for it.
+  RunResult run(const FrameGraph& graph) {
+    submit(graph);
+    return finish();
+  }
 
 private:
   friend class PassCommands;
@@ -38,26 +56,37 @@ private:
     uint64_t last_frame = 0;
   };
 
+  /// What belongs to one of the frames that are on their way.
+  struct Flight {
+    explicit Flight(const Device& device) : memory(device) {}
+
+    FrameMemory memory;
+    OwnedQueryPool queries;
+    size_t query_count = 0;
+    std::vector<std::unique_ptr<GpuBuffer>> readbacks;
+    std::vector<size_t> readback_bytes;              // how much of each is filled
+    std::vector<std::unique_ptr<GpuImage>> replaced; // that the frame before may still use
+    std::optional<RunResult> result;                 // all but times and readbacks, until it is waited for
+  };
+
   std::vector<uint32_t> assign(const FrameGraph& graph, const FramePlan& plan);
   uint32_t place_for(const FrameGraph::GraphImage& image, const PlannedImage& planned, uint64_t frame);
   void clear_neutral(uint32_t place);
   void forget_unused(uint64_t frame);
-  void prepare_queries(size_t count);
-  void collect(const FrameGraph& graph, const FramePlan& plan, const std::vector<uint32_t>& places,
-               RunResult& result);
+  void replace(Place& place, Place with);
+  void prepare_queries(Flight& flight, size_t count) const;
+  std::optional<RunResult> land(size_t flight);
   void count_images(const FrameGraph& graph, const FramePlan& plan, const std::vector<uint32_t>& places,
                     RunResult& result) const;
 
   Device& device_;
   Pipelines pipelines_;
-  FrameMemory memory_;
   KeptImages kept_;
   OwnedSampler linear_;
   std::vector<Place> pool_;
   std::vector<ImageState> states_; // of the pool's images
-  OwnedQueryPool queries_;
-  size_t query_count_ = 0;
-  std::vector<std::unique_ptr<GpuBuffer>> readbacks_;
+  std::array<Flight, frames_in_flight> flights_;
+  size_t next_ = 0; // of the flights
 };
 
 /// What a pass may do while it is recorded.

@@ -82,13 +82,21 @@ FixedState::FixedState(const GraphicsDesc& desc) : depth(depth_state(desc)) {
 
 const Pipeline& Pipelines::graphics(const GraphicsDesc& desc, VkPipelineLayout layout) {
   const std::string key = key_of_graphics(desc, layout);
-  if (const auto found = pipelines_.find(key); found != pipelines_.end()) return found->second;
+  if (const auto found = pipelines_.find(key); found != pipelines_.end()) return found->second.pipeline;
+  std::vector<std::string> files = {desc.vertex};
+  if (!desc.fragment.empty()) files.push_back(desc.fragment);
+  return keep(key, std::move(files),
+              [=, this](ShaderFiles& shaders) { return make_graphics(shaders, desc, layout); });
+}
+
+Pipeline Pipelines::make_graphics(ShaderFiles& shaders, const GraphicsDesc& desc,
+                                  VkPipelineLayout layout) const {
   Pipeline pipeline;
-  const OwnedModule vertex = module(desc.vertex, desc.constants, pipeline);
+  const OwnedModule vertex = module(shaders, desc.vertex, desc.constants, pipeline);
   OwnedModule fragment;
   std::vector<VkPipelineShaderStageCreateInfo> stages{stage(VK_SHADER_STAGE_VERTEX_BIT, vertex)};
   if (!desc.fragment.empty()) {
-    fragment = module(desc.fragment, desc.constants, pipeline);
+    fragment = module(shaders, desc.fragment, desc.constants, pipeline);
     stages.push_back(stage(VK_SHADER_STAGE_FRAGMENT_BIT, fragment));
   }
   const FixedState fixed(desc);
@@ -116,7 +124,7 @@ const Pipeline& Pipelines::graphics(const GraphicsDesc& desc, VkPipelineLayout l
   check(vkCreateGraphicsPipelines(device_.handle(), VK_NULL_HANDLE, 1, &info, nullptr, &made),
         "making a pipeline");
   pipeline.handle = {device_.handle(), made};
-  return pipelines_.emplace(key, std::move(pipeline)).first->second;
+  return pipeline;
 }
 
 } // namespace unghost

@@ -62,6 +62,14 @@ std::string missing_format(VkPhysicalDevice physical) {
   return {};
 }
 
+/// Of a device that is good for all else.
+std::string missing_for_window(VkPhysicalDevice physical, VkSurfaceKHR surface) {
+  if (!has_extension(physical, VK_KHR_SWAPCHAIN_EXTENSION_NAME)) return "VK_KHR_swapchain";
+  VkBool32 presents = VK_FALSE;
+  vkGetPhysicalDeviceSurfaceSupportKHR(physical, uint32_t(queue_family(physical).index), surface, &presents);
+  return presents ? "" : "a queue that presents to this window";
+}
+
 std::string missing_of(VkPhysicalDevice physical, uint32_t api_version) {
   if (api_version < VK_API_VERSION_1_3) return "Vulkan 1.3";
   if (queue_family(physical).index < 0) return "a queue for graphics and compute with timestamps";
@@ -98,7 +106,7 @@ const std::vector<NeededFeature>& needed_features() {
   return needed;
 }
 
-VkInstance create_instance(bool validate) {
+VkInstance create_instance(bool validate, const std::vector<const char*>& of_window) {
   const VkApplicationInfo application{.sType = VK_STRUCTURE_TYPE_APPLICATION_INFO,
                                       .pApplicationName = "unghost",
                                       .apiVersion = VK_API_VERSION_1_3};
@@ -109,14 +117,15 @@ VkInstance create_instance(bool validate) {
   const VkValidationFeaturesEXT validation{.sType = VK_STRUCTURE_TYPE_VALIDATION_FEATURES_EXT,
                                            .enabledValidationFeatureCount = 1,
                                            .pEnabledValidationFeatures = also};
-  const char* extensions[] = {VK_EXT_DEBUG_UTILS_EXTENSION_NAME};
+  std::vector<const char*> extensions = of_window;
+  if (validate) extensions.push_back(VK_EXT_DEBUG_UTILS_EXTENSION_NAME);
   const VkInstanceCreateInfo info{.sType = VK_STRUCTURE_TYPE_INSTANCE_CREATE_INFO,
                                   .pNext = validate ? &validation : nullptr,
                                   .pApplicationInfo = &application,
                                   .enabledLayerCount = validate ? 1u : 0u,
                                   .ppEnabledLayerNames = &validation_layer,
-                                  .enabledExtensionCount = validate ? 1u : 0u,
-                                  .ppEnabledExtensionNames = extensions};
+                                  .enabledExtensionCount = uint32_t(extensions.size()),
+                                  .ppEnabledExtensionNames = extensions.data()};
   VkInstance instance = VK_NULL_HANDLE;
   if (vkCreateInstance(&info, nullptr, &instance) != VK_SUCCESS)
     throw GpuError(GpuFault::no_device, "no Vulkan driver was found; install one (on Debian: "
@@ -160,7 +169,7 @@ QueueFamily queue_family(VkPhysicalDevice physical) {
   return {};
 }
 
-DeviceFacts facts_of(VkPhysicalDevice physical) {
+DeviceFacts facts_of(VkPhysicalDevice physical, VkSurfaceKHR surface) {
   VkPhysicalDeviceDriverProperties driver{.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_DRIVER_PROPERTIES};
   VkPhysicalDeviceProperties2 two{.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2, .pNext = &driver};
   vkGetPhysicalDeviceProperties2(physical, &two);
@@ -169,6 +178,8 @@ DeviceFacts facts_of(VkPhysicalDevice physical) {
                     .api_version = version_text(two.properties.apiVersion),
                     .software = two.properties.deviceType == VK_PHYSICAL_DEVICE_TYPE_CPU};
   facts.missing = missing_of(physical, two.properties.apiVersion);
+  if (facts.missing.empty() && surface != VK_NULL_HANDLE)
+    facts.missing = missing_for_window(physical, surface);
   facts.usable = facts.missing.empty();
   return facts;
 }

@@ -8,12 +8,14 @@
 
 namespace unghost {
 
-/// With the validation layer (core and synchronization) where `validate`. Throws GpuError(no_device).
-VkInstance create_instance(bool validate);
+/// With the validation layer (core and synchronization) where `validate`, and the extensions of a window.
+/// Throws GpuError(no_device).
+VkInstance create_instance(bool validate, const std::vector<const char*>& extensions = {});
 /// Appends every warning and error of the validation layer to `messages`.
 VkDebugUtilsMessengerEXT listen(VkInstance instance, std::vector<std::string>& messages);
 std::vector<VkPhysicalDevice> physical_devices(VkInstance instance);
-DeviceFacts facts_of(VkPhysicalDevice physical);
+/// `surface`: that it has to present to, if any.
+DeviceFacts facts_of(VkPhysicalDevice physical, VkSurfaceKHR surface = VK_NULL_HANDLE);
 /// The queue family with graphics, compute and timestamps; index -1 where there is none.
 struct QueueFamily {
   int index = -1;

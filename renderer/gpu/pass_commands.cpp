@@ -91,16 +91,16 @@ void PassCommands::push(std::span<const std::byte> bytes) {
 }
 
 void PassCommands::read_back(size_t place) {
-  const auto& [image, aspect] = context_.graph.readbacks()[place];
-  const ImageDesc& desc = context_.graph.desc(image);
-  const VkDeviceSize size =
-      VkDeviceSize(desc.extent.width) * desc.extent.height * texel_bytes(desc.format, aspect);
-  auto& buffer = context_.runner.readbacks_[place];
+  const auto& [image, aspect, part] = context_.graph.readbacks()[place];
+  const VkDeviceSize size = VkDeviceSize(part.extent.width) * part.extent.height *
+                            texel_bytes(context_.graph.desc(image).format, aspect);
+  auto& buffer = context_.runner.flights_[context_.runner.next_].readbacks[place];
   if (buffer == nullptr || buffer->size < size)
     buffer = std::make_unique<GpuBuffer>(context_.runner.device_, size, VK_BUFFER_USAGE_TRANSFER_DST_BIT,
                                          VK_MEMORY_PROPERTY_HOST_CACHED_BIT);
   const VkBufferImageCopy copy{.imageSubresource = {aspect, 0, 0, 1},
-                               .imageExtent = {desc.extent.width, desc.extent.height, 1}};
+                               .imageOffset = {part.offset.x, part.offset.y, 0},
+                               .imageExtent = {part.extent.width, part.extent.height, 1}};
   vkCmdCopyImageToBuffer(commands_, placed(image)->image, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL,
                          buffer->buffer, 1, &copy);
   const VkMemoryBarrier2 to_host{.sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER_2,

@@ -1,57 +1,38 @@
 #include "renderer/gpu/pipelines.h"
 
-#include <fstream>
+#include <algorithm>
 
 #include "renderer/gpu/pipeline_parts.h"
-#include "renderer/gpu/sha256.h"
 #include "renderer/gpu/shader_contents.h"
 #include "renderer/gpu/specialize.h"
 
 namespace unghost {
-namespace {
-
-constexpr const char* list_of_sums = "sums.txt"; // as sha256sum writes it
-
-std::string read(const std::filesystem::path& file, const char* what) {
-  std::ifstream in(file, std::ios::binary);
-  std::stringstream bytes;
-  if (!in || !(bytes << in.rdbuf()))
-    throw std::runtime_error(what + (" " + file.string()) + " is missing or empty; build again");
-  return bytes.str();
-}
-
-std::map<std::string, std::string> read_sums(const std::filesystem::path& folder) {
-  std::istringstream lines(read(folder / list_of_sums, "the list of shaders"));
-  std::map<std::string, std::string> sums;
-  for (std::string sum, file; lines >> sum >> file;) sums[file] = sum;
-  return sums;
-}
-
-/// Drivers don't survive shaders that are damaged, nor does what makes them faster: they see those that were
-/// built.
-std::vector<uint32_t> read_spirv(const std::filesystem::path& file, const std::string& sum) {
-  const std::string bytes = read(file, "the shader");
-  if (Sha256::hex(bytes) != sum)
-    throw std::runtime_error("the shader " + file.string() + " is not what was built; build again");
-  std::vector<uint32_t> words(bytes.size() / sizeof(uint32_t));
-  std::memcpy(words.data(), bytes.data(), words.size() * sizeof(uint32_t));
-  return words;
-}
-
-} // namespace
 
 Pipelines::Pipelines(const Device& device, std::filesystem::path shaders)
     : device_(device), shaders_(std::move(shaders)) {}
 
-OwnedModule Pipelines::module(const std::string& file, const std::vector<uint32_t>& constants,
-                              Pipeline& pipeline) {
-  auto found = spirv_.find(file);
-  if (found == spirv_.end()) {
-    if (sums_.empty()) sums_ = read_sums(shaders_);
-    const std::string name = file + ".spv";
-    found = spirv_.emplace(file, read_spirv(shaders_ / name, sums_[name])).first;
-  }
-  const std::vector<uint32_t> words = specialized(found->second, constants);
+void Pipelines::reload() {
+  ShaderFiles now(shaders_.folder());
+  now.read_all();
+  std::map<std::string, Pipeline> others;
+  for (const auto& [key, kept] : pipelines_)
+    if (std::ranges::any_of(kept.shaders,
+                            [&](const std::string& file) { return now.spirv(file) != shaders_.spirv(file); }))
+      others.emplace(key, kept.make(now));
+  device_.wait_idle();
+  for (auto& [key, other] : others) pipelines_.at(key).pipeline = std::move(other);
+  shaders_ = std::move(now);
+}
+
+const Pipeline& Pipelines::keep(const std::string& key, std::vector<std::string> shaders, MakePipeline make) {
+  Pipeline made = make(shaders_);
+  return pipelines_.emplace(key, Kept{std::move(made), std::move(shaders), std::move(make)})
+      .first->second.pipeline;
+}
+
+OwnedModule Pipelines::module(ShaderFiles& shaders, const std::string& file,
+                              const std::vector<uint32_t>& constants, Pipeline& pipeline) const {
+  const std::vector<uint32_t> words = specialized(shaders.spirv(file), constants);
   const ShaderContents contents = contents_of(words);
   pipeline.instructions += contents.instructions;
   pipeline.fetches += uint32_t(contents.fetches());
@@ -95,17 +76,19 @@ VkPipelineLayout Pipelines::layout(const LayoutDesc& desc) {
 const Pipeline& Pipelines::compute(const std::string& shader, const std::vector<uint32_t>& constants,
                                    VkPipelineLayout layout) {
   const std::string key = key_of(shader, list_of(constants), layout);
-  if (const auto found = pipelines_.find(key); found != pipelines_.end()) return found->second;
-  Pipeline pipeline;
-  const OwnedModule code = module(shader, constants, pipeline);
-  const VkComputePipelineCreateInfo info{.sType = VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO,
-                                         .stage = stage(VK_SHADER_STAGE_COMPUTE_BIT, code),
-                                         .layout = layout};
-  VkPipeline made = VK_NULL_HANDLE;
-  check(vkCreateComputePipelines(device_.handle(), VK_NULL_HANDLE, 1, &info, nullptr, &made),
-        "making a pipeline");
-  pipeline.handle = {device_.handle(), made};
-  return pipelines_.emplace(key, std::move(pipeline)).first->second;
+  if (const auto found = pipelines_.find(key); found != pipelines_.end()) return found->second.pipeline;
+  return keep(key, {shader}, [=, this](ShaderFiles& shaders) {
+    Pipeline pipeline;
+    const OwnedModule code = module(shaders, shader, constants, pipeline);
+    const VkComputePipelineCreateInfo info{.sType = VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO,
+                                           .stage = stage(VK_SHADER_STAGE_COMPUTE_BIT, code),
+                                           .layout = layout};
+    VkPipeline made = VK_NULL_HANDLE;
+    check(vkCreateComputePipelines(device_.handle(), VK_NULL_HANDLE, 1, &info, nullptr, &made),
+          "making a pipeline");
+    pipeline.handle = {device_.handle(), made};
+    return pipeline;
+  });
 }
 
 } // namespace unghost

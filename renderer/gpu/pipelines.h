@@ -3,9 +3,11 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <map>
 
 #include "renderer/gpu/frame_graph.h"
+#include "renderer/gpu/shader_files.h"
 
 namespace unghost {
 
@@ -43,21 +45,32 @@ public:
                           VkPipelineLayout layout);
   /// Cull mode, front face, viewport, scissor and stencil reference are dynamic.
   const Pipeline& graphics(const GraphicsDesc& desc, VkPipelineLayout layout);
+  /// Reads all shaders of the folder again, and remakes the pipelines whose shaders are others now; waits for
+  /// the device. Throws std::runtime_error where any is not what was built, and what the device throws; then
+  /// all stays as it was. That their bindings are the program's is not checked.
+  void reload();
 
 private:
   struct Layout {
     OwnedSetLayout set;
     OwnedLayout layout;
   };
+  using MakePipeline = std::function<Pipeline(ShaderFiles&)>;
+  struct Kept {
+    Pipeline pipeline;
+    std::vector<std::string> shaders; // files that it is made of
+    MakePipeline make;
+  };
+  const Pipeline& keep(const std::string& key, std::vector<std::string> shaders, MakePipeline make);
+  Pipeline make_graphics(ShaderFiles& shaders, const GraphicsDesc& desc, VkPipelineLayout layout) const;
   /// What the module does is added to the counts of `pipeline`.
-  OwnedModule module(const std::string& file, const std::vector<uint32_t>& constants, Pipeline& pipeline);
+  OwnedModule module(ShaderFiles& shaders, const std::string& file, const std::vector<uint32_t>& constants,
+                     Pipeline& pipeline) const;
 
   const Device& device_;
-  std::filesystem::path shaders_;
-  std::map<std::string, std::string> sums_;            // of the files of shaders, as they were built
-  std::map<std::string, std::vector<uint32_t>> spirv_; // by file
+  ShaderFiles shaders_;
   std::map<std::vector<uint64_t>, Layout> layouts_;
-  std::map<std::string, Pipeline> pipelines_;
+  std::map<std::string, Kept> pipelines_;
 };
 
 } // namespace unghost

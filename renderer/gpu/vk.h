@@ -54,6 +54,10 @@ using OwnedLayout = Owned<VkPipelineLayout, vkDestroyPipelineLayout>;
 using OwnedPipeline = Owned<VkPipeline, vkDestroyPipeline>;
 using OwnedDescriptorPool = Owned<VkDescriptorPool, vkDestroyDescriptorPool>;
 using OwnedCommandPool = Owned<VkCommandPool, vkDestroyCommandPool>;
+using OwnedSemaphore = Owned<VkSemaphore, vkDestroySemaphore>;
+using OwnedRenderPass = Owned<VkRenderPass, vkDestroyRenderPass>;
+using OwnedFramebuffer = Owned<VkFramebuffer, vkDestroyFramebuffer>;
+using OwnedSwapchain = Owned<VkSwapchainKHR, vkDestroySwapchainKHR>;
 using OwnedFence = Owned<VkFence, vkDestroyFence>;
 using OwnedQueryPool = Owned<VkQueryPool, vkDestroyQueryPool>;
 

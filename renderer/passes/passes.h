@@ -4,6 +4,8 @@
 
 #include "renderer/gpu/graph_runner.h"
 #include "renderer/passes/gpu_scene.h"
+#include "renderer/probe.h"
+#include "renderer/screen.h"
 #include "renderer/settings.h"
 
 namespace unghost {
@@ -25,6 +27,8 @@ struct FrameContext {
   std::span<const ModeRun> modes;
   View view = View::colour;
   VkExtent2D size{};
+  std::optional<ScreenInput> screen;
+  std::optional<ProbeInput> probe;
   uint64_t index = 0;                       // of the frame
   bool cut = false;                         // nothing of the frame before may be used
   BufferSlice constants;                    // FrameConstants
@@ -78,6 +82,7 @@ struct Resolved {
   ImageRef why;     // RGBA8: weight of the current frame, how far rectified, causes of rejection (TAA_REJECT
                     // bits), age
   ImageRef history; // RGBA16F, linear: what was mixed with the current frame
+  ImageRef probe;   // RGBA32F: the TAA_PROBE_ texels; none where no pixel of this mode is probed
 };
 
 struct TaaInputs {
@@ -109,5 +114,8 @@ struct ViewInputs {
 };
 /// Draws the view that is set over the picture; returns the picture where that is the colour itself.
 ImageRef draw_view(FrameGraph& graph, const FrameContext& in, const ViewInputs& inputs);
+/// What the window shows of the modes' displays, all of one size; RGBA8, of the window's size. Returns the
+/// first display where the window shows just that. Displays that are not seen are not read.
+ImageRef compose_screen(FrameGraph& graph, const ScreenInput& screen, std::span<const ImageRef> displays);
 
 } // namespace unghost

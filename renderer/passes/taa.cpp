@@ -5,8 +5,8 @@ namespace unghost {
 namespace {
 
 constexpr VkFormat colour_format = VK_FORMAT_R16G16B16A16_SFLOAT, motion_format = VK_FORMAT_R32G32_SFLOAT,
-                   depth_format = VK_FORMAT_R32_SFLOAT, object_format = VK_FORMAT_R32_UINT,
-                   count_format = VK_FORMAT_R32_SFLOAT;
+                   depth_format = VK_FORMAT_R32_SFLOAT, probe_format = VK_FORMAT_R32G32B32A32_SFLOAT,
+                   object_format = VK_FORMAT_R32_UINT, count_format = VK_FORMAT_R32_SFLOAT;
 
 constexpr const char* no_history = "this mode keeps none";
 
@@ -72,7 +72,8 @@ TaaPush push_of(const FrameContext& in, const TaaSettings& taa) {
           .speed_px = taa.speed_px,
           .depth_share = taa.depth_share,
           .frame = uint32_t(in.index),
-          .dilates = taa.policy.dilation != Dilation::centre};
+          .dilates = taa.policy.dilation != Dilation::centre,
+          .probe_px = in.probe ? glm::ivec2(in.probe->x, in.probe->y) : glm::ivec2(-1)};
 }
 
 /// What the resolve takes from this frame and from the last one. What it has no use for is neutral, so that
@@ -165,14 +166,16 @@ std::vector<Binding> reads_of_last_frame(const Reading& r) {
 std::vector<Binding> writes_of(FrameGraph& graph, const TaaPolicy& policy, const Kept& kept,
                                const Resolved& resolved) {
   const ImageRef nothing = graph.image({"none", colour_format});
-  return {storage_write(TAA_OUT, resolved.colour),
-          storage_write(TAA_INPUT_OUT, policy.keeps == Keeps::input ? kept.colour.next : nothing),
-          storage_write(TAA_COUNT_OUT, kept.count.next),
-          storage_write(TAA_MOTION_OUT, kept.motion.next),
-          storage_write(TAA_DEPTH_OUT, kept.depth.next),
-          storage_write(TAA_OBJECT_OUT, kept.objects.next),
-          storage_write(TAA_WHY_OUT, resolved.why),
-          storage_write(TAA_HISTORY_OUT, resolved.history)};
+  return {
+      storage_write(TAA_OUT, resolved.colour),
+      storage_write(TAA_INPUT_OUT, policy.keeps == Keeps::input ? kept.colour.next : nothing),
+      storage_write(TAA_COUNT_OUT, kept.count.next),
+      storage_write(TAA_MOTION_OUT, kept.motion.next),
+      storage_write(TAA_DEPTH_OUT, kept.depth.next),
+      storage_write(TAA_OBJECT_OUT, kept.objects.next),
+      storage_write(TAA_WHY_OUT, resolved.why),
+      storage_write(TAA_HISTORY_OUT, resolved.history),
+      storage_write(TAA_PROBE_OUT, resolved.probe ? resolved.probe : graph.image({"none", probe_format}))};
 }
 
 std::vector<Binding> bindings_of(const FrameContext& in, const TaaInputs& inputs, const Reading& reading,
@@ -200,7 +203,8 @@ std::vector<Constant> constants_of(const FrameContext& in, const TaaSettings& ta
           uint32_t(policy.keeps),
           uint32_t(r.kept.valid),
           uint32_t(r.tags),
-          {r.kept.writes, {{resolved.why, TAA_WRITES_WHY}, {resolved.history, TAA_WRITES_HISTORY}}},
+          {r.kept.writes | (resolved.probe ? TAA_WRITES_PROBE : 0),
+           {{resolved.why, TAA_WRITES_WHY}, {resolved.history, TAA_WRITES_HISTORY}}},
           uint32_t(taa.store),
           uint32_t(r.motion),
           uint32_t(r.surfaces),
@@ -213,15 +217,17 @@ Resolved resolve_taa(FrameGraph& graph, const FrameContext& in, const TaaInputs&
   const TaaSettings& taa = in.modes[place].taa;
   const bool keeps_history = taa.policy.needs_history();
   if (!graph.needed(keeps_history, {"history", no_history}))
-    return {.colour = inputs.colour, .why = {}, .history = {}};
+    return {.colour = inputs.colour, .why = {}, .history = {}, .probe = {}};
   const Kept kept = kept_by(graph, in, place);
   const auto image = [&](const char* name, VkFormat format) {
     return graph.image({.name = name, .format = format, .extent = in.size});
   };
-  const Resolved resolved{.colour = taa.policy.keeps == Keeps::result ? kept.colour.next
-                                                                      : image("resolved", colour_format),
-                          .why = image("reasons of the resolve", VK_FORMAT_R8G8B8A8_UNORM),
-                          .history = image("history as it was read", colour_format)};
+  const bool probed = keeps_history && in.probe && in.probe->mode == place;
+  const Resolved resolved{
+      .colour = taa.policy.keeps == Keeps::result ? kept.colour.next : image("resolved", colour_format),
+      .why = image("reasons of the resolve", VK_FORMAT_R8G8B8A8_UNORM),
+      .history = image("history as it was used", colour_format),
+      .probe = probed ? graph.image({"probe", probe_format, {TAA_PROBE_TEXELS, 1}}) : ImageRef{}};
   const Reading reading = reading_of(graph, in, inputs, taa, kept);
   const TaaPush push = push_of(in, taa);
   const auto bytes = std::as_bytes(std::span(&push, 1));
@@ -235,7 +241,7 @@ Resolved resolve_taa(FrameGraph& graph, const FrameContext& in, const TaaInputs&
                  .group = fast ? VkExtent2D{TAA_GROUP_WIDTH, TAA_GROUP_HEIGHT}
                                : VkExtent2D{TAA_NAIVE_SIDE, TAA_NAIVE_SIDE}});
   if (keeps_history) return resolved;
-  return {.colour = resolved.colour, .why = {}, .history = {}}; // the views know of none
+  return {.colour = resolved.colour, .why = {}, .history = {}, .probe = {}}; // the views know of none
 }
 
 } // namespace unghost

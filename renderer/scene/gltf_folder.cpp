@@ -84,6 +84,7 @@ int Folder::open_by_path(const std::string& path, const std::string& pointer) co
 }
 
 std::vector<uint8_t> Folder::read(const std::string& path, const std::string& pointer) {
+  files_.push_back(folder_ / path);
   const Descriptor file{open_beneath(path, pointer)};
   std::vector<uint8_t> bytes = read_regular(file.number, std::min(file_bytes_, bytes_left_));
   bytes_left_ -= bytes.size();

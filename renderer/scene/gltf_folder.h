@@ -28,6 +28,8 @@ public:
 
   /// Throws FileProblem, and Refused with `pointer` where a link leads out of the folder.
   std::vector<uint8_t> read(const std::string& path, const std::string& pointer);
+  /// What was asked for.
+  const std::vector<std::filesystem::path>& files() const { return files_; }
 
 private:
   int open_beneath(const std::string& path, const std::string& pointer) const;
@@ -37,6 +39,7 @@ private:
   int descriptor_ = -1;
   uint64_t file_bytes_, bytes_left_;
   Confine confine_;
+  std::vector<std::filesystem::path> files_;
 };
 
 /// Reads a regular file of at most `limit` bytes; never waits on a FIFO or a device. Throws FileProblem.

@@ -52,6 +52,8 @@ Scene read_scene(const std::filesystem::path& file, const LoadLimits& limits) {
   scene.animations = read_animations(scene, model, accessors, places, warnings);
   if (scene.name.empty()) scene.name = file.stem().string();
   scene.warnings = warnings.take();
+  scene.files = folder.files();
+  scene.files.push_back(file);
   find_wheels_by_name(scene);
   return scene;
 }

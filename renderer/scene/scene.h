@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <limits>
 #include <optional>
 #include <string>
@@ -176,7 +177,8 @@ struct Scene {
   std::vector<Animation> animations;
   int vehicle = -1; // the node that a rig moves: `extras.vehicle`
   std::optional<Track> track;
-  std::vector<std::string> warnings; // what the file asks for and is not drawn, each said once
+  std::vector<std::string> warnings;        // what the file asks for and is not drawn, each said once
+  std::vector<std::filesystem::path> files; // that it was read from, or that were not there
 };
 
 } // namespace unghost

@@ -76,6 +76,13 @@ SHARED_CONSTANT TAA_WRITES_DEPTH = 4;
 SHARED_CONSTANT TAA_WRITES_OBJECT = 8;
 SHARED_CONSTANT TAA_WRITES_WHY = 16;  // for the views
 SHARED_CONSTANT TAA_WRITES_HISTORY = 32;
+SHARED_CONSTANT TAA_WRITES_PROBE = 64;  // of one pixel
+
+/// What it writes of the one pixel: a texel each, of four floats.
+SHARED_CONSTANT TAA_PROBE_FOUND = 0;    // linear colour of the history as it was read; which of 3x3 speaks for it
+SHARED_CONSTANT TAA_PROBE_BOUNDED = 1;  // the same after rectification, in the working space; weight of the frame
+SHARED_CONSTANT TAA_PROBE_WHY = 2;      // how far it was moved; causes; frames that it holds; 1: there is a history
+SHARED_CONSTANT TAA_PROBE_TEXELS = 3;
 
 /// How much of each answer; push constants of the resolve.
 struct TaaPush {
@@ -89,6 +96,7 @@ struct TaaPush {
   float depth_share;              // depth: differs by more than this share
   uint frame;                     // seeds the rounding
   uint dilates;                   // 0: where neighbours are asked in vain
+  ivec2 probe_px;                 // of which more is written
 };
 
 SHARED_END

@@ -19,16 +19,17 @@ inline std::string content_of(const std::filesystem::path& file) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-/// The first word is found by PATH; the child runs in `folder` and talks into the file `talk`, where they are
-/// given. Never returns in the child.
+/// The first word is found by PATH; the child runs in `folder`, talks into the file `talk` and prints to the
+/// open file `output`, where they are given. Never returns in the child.
 inline pid_t start(const std::vector<std::string>& words, const std::filesystem::path& folder = {},
-                   const std::filesystem::path& talk = {}) {
+                   const std::filesystem::path& talk = {}, int output = -1) {
   const pid_t child = fork();
   if (child != 0) return child;
   if (!talk.empty()) {
     const int file = open(talk.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
     if (file < 0 || dup2(file, STDERR_FILENO) < 0) _exit(126);
   }
+  if (output >= 0 && dup2(output, STDOUT_FILENO) < 0) _exit(126);
   std::vector<char*> pointers;
   for (const std::string& word : words) pointers.push_back(const_cast<char*>(word.c_str()));
   pointers.push_back(nullptr);

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/commands.h"
+#include "app/demo/actions.h"
 #include "app/rigs.h"
 #include "renderer/settings.h"
 #include "tests/app/outcome.h"
@@ -30,17 +31,30 @@ TEST(Run, HelpSaysCommandsAndExitCodes) {
   }
 }
 
-TEST(Run, NoCommandIsHelpOnErrAndTwo) {
+TEST(Run, NoWordsWithoutADisplayAreHelpOnErrAndTwo) {
+  unsetenv("DISPLAY"), unsetenv("WAYLAND_DISPLAY");
   const Outcome nothing = outcome({});
   EXPECT_EQ(nothing.exit, 2);
   EXPECT_EQ(nothing.out, "");
   EXPECT_NE(nothing.err.find("capture"), std::string::npos);
 }
 
+TEST(Run, WordsWithoutACommandAreTheDemo) {
+  for (const Words& words : {Words{"car.glb"}, Words{"--mode", "blend"}, Words{"demo", "car.gltf"}})
+    EXPECT_EQ(command_line_of(words).command->name, default_command) << words[0];
+}
+
+TEST(Run, WithoutADisplayTheDemoIsOneAndSaysWhatIsThere) {
+  unsetenv("DISPLAY"), unsetenv("WAYLAND_DISPLAY");
+  const Outcome run = outcome({"demo"});
+  EXPECT_EQ(run.exit, 1);
+  EXPECT_NE(run.err.find("cannot open a window"), std::string::npos) << run.err;
+  EXPECT_NE(run.err.find("unghost capture"), std::string::npos) << run.err;
+}
+
 TEST(Run, WrongWordsAreTwoAndOneSentence) {
   const std::vector<std::pair<std::vector<std::string>, const char*>> cases = {
       {{"captur"}, "did you mean 'capture'?"},
-      {{"car.glb"}, "unghost capture car.glb"},
       {{"capture", "--farmes", "3"}, "did you mean '--frames'?"},
       {{"capture", "--farmes=3"}, "no option '--farmes'"},
       {{"capture", "a.glb", "b.glb"}, "'b.glb' is one word too many"},
@@ -179,6 +193,18 @@ TEST(Run, TheReadmesTableHasTheRowsOfTheModes) {
   }
   for (const TaaMode& mode : taa_modes()) rows.emplace_back(mode.name);
   EXPECT_EQ(listed, rows);
+}
+
+TEST(Run, TheReadmesControlsAreThoseOfTheDemo) {
+  std::ifstream readme(UNGHOST_README);
+  const std::string text{std::istreambuf_iterator<char>(readme), {}};
+  for (const Action& action : actions()) {
+    const std::string row =
+        "| " + key_text(action) + " | " + std::string(button_text(action)) + " | " + action.what + " |";
+    if (std::isdigit(uint8_t(key_text(action)[0])) == 0) { // digits have one row in all
+      EXPECT_NE(text.find(row), std::string::npos) << row;
+    }
+  }
 }
 
 TEST(Run, ModesSayTheirSettings) {

@@ -1,39 +1,17 @@
 #include "app/stage.h"
 
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 
 #include "app/failure.h"
 #include "renderer/scene/animation.h"
 #include "renderer/scene/bounds.h"
 #include "tests/app/scratch_folder.h"
+#include "tests/app/triangle_model.h"
 
 namespace unghost {
 namespace {
 
 using nlohmann::json;
-
-// Three points: (0,0,0), (1,0,0), (0,1,1).
-constexpr const char* triangle =
-    "data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAIA/";
-
-/// A triangle over the box from 0 to 1, scaled and moved.
-json model(std::vector<float> scale, std::vector<float> translation) {
-  return {{"asset", {{"version", "2.0"}}},
-          {"scene", 0},
-          {"scenes", {{{"nodes", {0}}}}},
-          {"nodes", {{{"name", "body"}, {"mesh", 0}, {"scale", scale}, {"translation", translation}}}},
-          {"meshes", {{{"primitives", {{{"attributes", {{"POSITION", 0}}}}}}}}},
-          {"buffers", {{{"uri", triangle}, {"byteLength", 36}}}},
-          {"bufferViews", {{{"buffer", 0}, {"byteLength", 36}}}},
-          {"accessors",
-           {{{"bufferView", 0},
-             {"componentType", 5126},
-             {"count", 3},
-             {"type", "VEC3"},
-             {"min", {0, 0, 0}},
-             {"max", {1, 1, 1}}}}}};
-}
 
 /// A road with a car of our own on it.
 json road() {

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <array>
 
-#include "app/measure/axes.h"
+#include "app/measure/rectification.h"
 #include "renderer/settings.h"
 #include "tests/renderer/resolve_bench.h"
 #include "tests/renderer/studio.h"
@@ -64,60 +64,18 @@ double outside_of_hull(const std::array<glm::dvec3, 9>& points, glm::dvec3 colou
   return most;
 }
 
-glm::dvec3 ycocg(glm::dvec3 c) {
-  return {(c.x + 2 * c.y + c.z) / 4, (c.x - c.z) / 2, (2 * c.y - c.x - c.z) / 4};
-}
-
-struct Slab {
-  glm::dvec3 axis;
-  double low, high;
-};
-
-/// What bounds a history, in plain double precision: along each axis the extent of nine colours, or their
-/// mean and standard deviation. A clip begins at the current colour, which may lie outside of the latter.
-std::vector<Slab> volume_of(const std::array<glm::dvec3, 9>& colours, const TaaPolicy& policy) {
-  std::vector<Slab> slabs;
-  const bool clamps = policy.rectify == Rectify::box_clamp || policy.rectify == Rectify::variance_clamp;
-  for (const glm::dvec3& axis :
-       shipped_axes(policy.uses_dop() ? spelling(policy.axes) : spelling(Axes::xyz))) {
-    double low = 1e30, high = -1e30, mean = 0, squares = 0;
-    for (const glm::dvec3& colour : colours) {
-      const double at = glm::dot(colour, axis);
-      low = std::min(low, at), high = std::max(high, at), mean += at / 9;
-    }
-    for (const glm::dvec3& colour : colours) squares += std::pow(glm::dot(colour, axis) - mean, 2) / 9;
-    if (policy.uses_variance()) low = mean - std::sqrt(squares), high = mean + std::sqrt(squares);
-    const double own = glm::dot(colours[4], axis);
-    if (!clamps) low = std::min(low, own), high = std::max(high, own);
-    slabs.push_back({axis, low, high});
-  }
-  return slabs;
-}
-
-/// How far a colour lies outside; negative: how far inside.
-double outside_of(const std::vector<Slab>& volume, glm::dvec3 colour) {
-  double most = -1e30;
-  for (const Slab& slab : volume) {
-    const double at = glm::dot(colour, slab.axis);
-    most = std::max({most, slab.low - at, at - slab.high});
-  }
-  return most;
-}
-
 /// Of one mode, at every pixel: in its volume; on the segment from the current colour, and as far along it as
 /// the volume reaches; and what is inside as it was to the bit.
 void expect_rectified(const TaaMode& mode, const Inputs& history, const Inputs& now,
                       const std::vector<glm::vec3>& results) {
   const TaaPolicy& policy = mode.settings.policy;
-  const auto working = [&](glm::dvec3 colour) {
-    return policy.space == Space::ycocg ? ycocg(colour) : colour;
-  };
+  const auto working = [&](glm::dvec3 colour) { return to_working(policy, colour); };
   size_t unchanged = 0, moved = 0;
   for (size_t i = 0; i < results.size(); ++i) {
     const glm::dvec3 h(history.colours[i]), c(now.colours[i]), r(results[i]);
     std::array<glm::dvec3, 9> colours = neighbours_of(now, i);
     for (glm::dvec3& colour : colours) colour = working(colour);
-    const std::vector<Slab> volume = volume_of(colours, policy);
+    const std::vector<Slab> volume = volume_of(colours, policy, double(mode.settings.gamma));
     const double error = 2e-3 * glm::length(glm::max(h, c)); // what two half floats are apart
     EXPECT_LT(outside_of(volume, working(r)), error) << mode.name << i;
     if (outside_of(volume, working(h)) < -1e-5 * glm::length(h)) {

@@ -1,0 +1,281 @@
+#include "app/demo/demo.h"
+
+#include <algorithm>
+#include <thread>
+
+#include <nlohmann/json.hpp>
+
+#include "app/demo/demo_command.h"
+#include "app/demo/demo_file.h"
+#include "app/demo/render_scale.h"
+#include "app/failure.h"
+#include "app/files.h"
+#include "app/interruption.h"
+#include "app/label.h"
+#include "app/measure/quantile.h"
+#include "app/png_file.h"
+#include "app/shot.h"
+
+namespace unghost {
+namespace {
+
+constexpr PictureSize usual_size{960, 540};
+constexpr double usual_width_of_text = 1280; // pixels of a window at which text has its usual size, or less
+constexpr double message_seconds = 1.5, seconds_a_letter = 0.06; // a sentence takes longer to read
+constexpr double idle_seconds = 0.05;
+
+/// What was kept from the last run, and above it what the words say.
+DemoState state_from(const CommandLine& line, Console& console) {
+  auto [state, complaint] = load_demo(config_file());
+  if (!complaint.empty()) console.err << complaint << "\n";
+  const Shot shot = shot_from(line);
+  const bool named = line.mode || !line.settings.empty() || !line.assignments.empty();
+  if (line.scene || !line.settings.empty()) state.scene = shot.scene;
+  if (line.rig || !line.settings.empty()) state.rig = shot.rig;
+  if (line.seed || !line.settings.empty()) state.seed = shot.seed;
+  if (!named) return state;
+  state.settings = shot.settings;
+  state.arrangement = Arrangement::single;
+  for (size_t mode = 0; mode < state.modes.size(); ++mode)
+    if (state.modes[mode].name == shot.modes.front().name)
+      show_mode(state, mode), state.modes[mode] = shot.modes.front();
+  return state;
+}
+
+/// unghost-1.png, or the first after it that is not there.
+std::filesystem::path free_name(const std::string& name, const std::string& extension) {
+  std::error_code ignored;
+  for (uint32_t number = 1;; ++number) {
+    const std::filesystem::path file = name + "-" + std::to_string(number) + extension;
+    if (!std::filesystem::exists(file, ignored)) return file;
+  }
+}
+
+PictureSize size_from(const CommandLine& line) { return line.size.value_or(usual_size); }
+
+double text_scale_of(const Window& window) {
+  return std::max(1.0, std::max(window.scale(), window.pixels().width / usual_width_of_text));
+}
+
+} // namespace
+
+Demo::Demo(const CommandLine& line, Console& console)
+    : line_(line), console_(console), state_(state_from(line, console)),
+      window_(size_from(line).width, size_from(line).height),
+      device_({.which = line.device, .validate = line.validate, .window = window_.surface_maker()}),
+      swapchain_(device_, window_.pixels()),
+      gui_(device_, swapchain_, window_.handle(), text_scale_of(window_)) {
+  facts_.device = device_.facts().name;
+  facts_.software = device_.facts().software;
+  facts_.measured = measured_figures(find_data_folders().assets / "report" / "full.json");
+  show_scene(load_demo_scene(device_, state_));
+}
+
+std::vector<size_t> Demo::shown() const {
+  if (state_.flicker) return {state_.compared.front()};
+  return modes_seen(state_);
+}
+
+PicturePlace Demo::place() const {
+  const VkExtent2D window = swapchain_.extent();
+  const bool panel = state_.panel && !state_.hidden;
+  const uint32_t left = panel ? panel_width(window.width, text_scale_of(window_)) : 0;
+  return {.at = {left, 0},
+          .screen = {.width = window.width - left,
+                     .height = window.height,
+                     .arrangement = state_.arrangement,
+                     .split = state_.split,
+                     .magnifier = state_.magnifier}};
+}
+
+FrameInput Demo::next_frame() {
+  context_.stage = state_.settings.stage, context_.light = state_.settings.light, context_.seed = state_.seed;
+  FrameInput input;
+  input.now =
+      with_camera(state_.camera, find_rig(state_.rig)->at(context_, double(rig_frame_) * seconds_per_frame));
+  input.cut = !last_ || state_.requests.drop_history || last_rig_ != state_.rig;
+  input.before = last_.value_or(input.now);
+  input.index = drawn_;
+  input.screen = place().screen;
+  input.settings = state_.settings;
+  for (const size_t mode : shown()) input.modes.push_back(state_.modes[mode]);
+  const ScreenCell cell = cells_of(*input.screen, input.modes.size()).front();
+  input.width = std::max(1u, uint32_t(std::lround(cell.picture.width * state_.render_scale)));
+  input.height = std::max(1u, uint32_t(std::lround(cell.picture.height * state_.render_scale)));
+  facts_.picture_width = input.width, facts_.picture_height = input.height;
+  input.probe = probe(input.modes.size());
+  last_ = input.now;
+  last_rig_ = state_.rig;
+  state_.requests.drop_history = false;
+  return input;
+}
+
+std::optional<ProbeInput> Demo::probe(size_t modes) const {
+  if (!state_.picked) return {};
+  const glm::ivec2 pixel = pixel_of(*state_.picked, {facts_.picture_width, facts_.picture_height});
+  const size_t mode = state_.picked->mode;
+  return ProbeInput{.mode = mode < modes ? mode : 0, .x = uint32_t(pixel.x), .y = uint32_t(pixel.y)};
+}
+
+/// While paused no frame brings it.
+void Demo::probe_what_rests() {
+  const std::optional<ProbeInput> asked = probe(shown().size());
+  if (!asked || asked == probed_) return;
+  facts_.pixel = renderer_->probe_again(*asked);
+  probed_ = asked;
+}
+
+bool Demo::fit_window() {
+  const VkExtent2D wanted = window_.pixels(), is = swapchain_.extent();
+  if (wanted.width == 0 || wanted.height == 0) return false;
+  if (wanted.width == is.width && wanted.height == is.height) return true;
+  swapchain_.resize(wanted);
+  gui_.window_changed(swapchain_);
+  return swapchain_.extent().width > 0;
+}
+
+void Demo::note(const FrameResult& result) {
+  if (result.probe) facts_.pixel = result.probe;
+  facts_.frame = result;
+  if (line_.timings) times_.note(result);
+  double sum = 0;
+  for (const PassReport& pass : result.passes) sum += pass.ms;
+  facts_.gpu_ms.push_back(float(sum));
+  if (facts_.gpu_ms.size() > charted_frames) facts_.gpu_ms.pop_front();
+  if (state_.frame_ms && drawn_ % frames_between_scales == 0) {
+    std::vector<double> last(facts_.gpu_ms.end() -
+                                 ptrdiff_t(std::min<size_t>(facts_.gpu_ms.size(), frames_between_scales / 2)),
+                             facts_.gpu_ms.end());
+    state_.render_scale = next_scale(state_.render_scale, quantile(last, 0.5), *state_.frame_ms);
+  }
+}
+
+void Demo::draw() {
+  if (!fit_window()) {
+    std::this_thread::sleep_for(std::chrono::duration<double>(idle_seconds));
+    return;
+  }
+  swapchain_.picture_x = uint32_t(place().at.x);
+  if (!state_.picked) facts_.pixel.reset();
+  const bool goes_on = !state_.paused || state_.requests.step;
+  if (!goes_on && last_) {
+    probe_what_rests();
+    renderer_->show_again(place().screen, swapchain_);
+    std::this_thread::sleep_for(std::chrono::duration<double>(idle_seconds));
+    return;
+  }
+  state_.requests.step = false;
+  const FrameInput input = next_frame();
+  probed_.reset();
+  if (const std::optional<FrameResult> result = renderer_->show(input, swapchain_)) note(*result);
+  ++drawn_;
+  rig_frame_ += goes_on && state_.moving;
+}
+
+void Demo::say_event(const char* event, const std::string& action) const {
+  if (!line_.json) return;
+  console_.out << nlohmann::json{{"event", event},
+                                 {"action", action},
+                                 {"message", state_.message},
+                                 {"drawn", drawn_},
+                                 {"state", demo_json(state_)}}
+                      .dump(-1, ' ', false, nlohmann::json::error_handler_t::replace)
+               << std::endl;
+}
+
+double Demo::seconds_since(Clock::time_point then) const {
+  return std::chrono::duration<double>(Clock::now() - then).count();
+}
+
+void Demo::describe() {
+  gui_.begin_frame();
+  const PicturePlace where = place();
+  if (!state_.message.empty()) message_ = std::exchange(state_.message, {}), message_since_ = Clock::now();
+  if (seconds_since(message_since_) > std::max(message_seconds, double(message_.size()) * seconds_a_letter))
+    message_.clear();
+  if (state_.panel && !state_.hidden) draw_panel(state_, facts_, uint32_t(where.at.x));
+  draw_labels(state_, where, shown());
+  if (!state_.hidden && drawn_ > 0)
+    draw_marker(state_, where, shown().size(), {facts_.picture_width, facts_.picture_height});
+  if (!state_.hidden) draw_message(message_, where);
+  if (state_.keys && !state_.hidden) draw_keys(state_, where);
+  gui_.end_frame();
+}
+
+/// What is seen, with its settings inside, and with the modes' names where there are several.
+void Demo::take_screenshot() {
+  const PicturePlace where = place();
+  Image picture = renderer_->picture_again(where.screen);
+  const std::vector<size_t> modes = shown();
+  if (modes.size() > 1)
+    for (const Label& label : labels_of(state_, where.screen, modes)) {
+      const uint32_t scale = label_scale(picture.height), width = label_width(label.words, scale);
+      const auto x = uint32_t(std::max(label.at.x - (label.to_the_left ? width : 0), 0.0));
+      draw_label(picture, label.words, {x, uint32_t(label.at.y), width, picture.height}, scale);
+    }
+  Shot shot{.command = modes.size() > 1 ? "compare" : "capture",
+            .scene = state_.scene,
+            .rig = state_.rig,
+            .seed = state_.seed,
+            .size = {facts_.picture_width, facts_.picture_height},
+            .settings = state_.settings};
+  for (const size_t mode : modes) shot.modes.push_back(state_.modes[mode]);
+  const std::filesystem::path file = free_name("unghost", ".png");
+  write_file(file, encode_png(picture,
+                              shot_json(shot, uint32_t(std::min<uint64_t>(rig_frame_, most_frames))).dump()));
+  state_.message = file.string();
+}
+
+void Demo::answer_requests() {
+  DemoRequests& asked = state_.requests;
+  if (asked.screenshot && renderer_->has_shown()) { // else of the next frame
+    asked.screenshot = false;
+    try {
+      take_screenshot();
+    } catch (const Failure& failure) { // a full disk, say, is no reason to close the window
+      state_.message = failure.what();
+    }
+    say_event("screenshot", state_.message);
+  }
+  if (std::exchange(asked.full_screen, false)) window_.toggle_full_screen();
+  if (std::exchange(asked.copy_command, false)) {
+    try {
+      window_.copy(command_of(state_));
+      state_.message = "copied as a command line";
+    } catch (const std::invalid_argument& why) {
+      state_.message = std::string("not copied: ") + why.what();
+    }
+  }
+}
+
+void Demo::run() {
+  while (!state_.requests.leave && (!line_.frames || drawn_ < *line_.frames)) {
+    throw_if_interrupted();
+    react();
+    answer_requests();
+    load_asked_scene();
+    look_for_changes();
+    describe();
+    const auto began = Clock::now();
+    const bool begins = drawn_ == 0;
+    draw();
+    if (begins && drawn_ > 0) say_event("ready", {}); // once, however long that frame stays the last one
+    // no display throttles everywhere
+    std::this_thread::sleep_until(began + std::chrono::duration_cast<Clock::duration>(
+                                              std::chrono::duration<double>(seconds_per_frame)));
+    facts_.frame_ms.push_back(float(1000 * seconds_since(frame_began_)));
+    if (facts_.frame_ms.size() > charted_frames) facts_.frame_ms.pop_front();
+    frame_began_ = Clock::now();
+  }
+  device_.wait_idle();
+  save_demo(state_, config_file());
+  if (line_.timings) console_.err << times_.text();
+  for (const std::string& message : device_.validation_messages()) console_.err << message << "\n";
+  if (!device_.validation_messages().empty())
+    throw Failure(Exit::failed, "the validation layer has " +
+                                    std::to_string(device_.validation_messages().size()) + " complaints");
+}
+
+void demo(const CommandLine& line, Console& console) { Demo(line, console).run(); }
+
+} // namespace unghost

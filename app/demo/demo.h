@@ -1,0 +1,82 @@
+// The demo: a window in which the car drives, and a person switches every resolve.
+#pragma once
+
+#include <chrono>
+#include <memory>
+
+#include "app/commands.h"
+#include "app/demo/demo_scene.h"
+#include "app/demo/gui.h"
+#include "app/demo/overlay.h"
+#include "app/demo/panel.h"
+#include "app/demo/window.h"
+#include "app/pass_times.h"
+
+namespace unghost {
+
+class Demo {
+public:
+  Demo(const CommandLine& line, Console& console);
+  /// Until the person leaves, or as many frames are drawn as the words say.
+  void run();
+
+private:
+  using Clock = std::chrono::steady_clock;
+
+  /// A scene that is to be loaded after the next frame; `event`: because of what.
+  struct AskedScene {
+    std::string scene;
+    const char* event;
+    bool announced = false;
+  };
+
+  void show_scene(DemoScene loaded);
+  void ask_for_scene(const std::string& scene, const char* event);
+  void load_asked_scene();
+  void look_for_stage();
+  void look_for_changes(); // of files
+  void react();            // to keys, buttons and mouse
+  void steer(const WindowEvents& events, const WindowHeld& held);
+  void drag(const WindowEvents& events, const WindowHeld& held, CameraInput& input);
+  void move_magnifier(const WindowHeld& held, double seconds);
+  void pick(const WindowEvents::Click& click);
+  void probe_what_rests();
+  std::optional<ProbeInput> probe(size_t modes) const; // of a picture as it was drawn last
+  void describe();                                     // the panel and what is above the picture
+  void answer_requests();
+  void take_screenshot();
+  bool fit_window(); // false where nothing can be shown
+  void draw();
+  FrameInput next_frame();
+  void note(const FrameResult& result);
+  void say_event(const char* event, const std::string& action) const;
+  PicturePlace place() const;
+  std::vector<size_t> shown() const; // of the state's modes, as the frame has them
+  double seconds_since(Clock::time_point then) const;
+
+  const CommandLine& line_;
+  Console& console_;
+  DemoState state_;
+  Window window_;
+  Device device_;
+  Swapchain swapchain_;
+  Gui gui_;
+  RigContext context_;
+  StageSettings built_stage_; // that the scene was loaded with
+  std::unique_ptr<Renderer> renderer_;
+  std::optional<AskedScene> asked_scene_;
+  FileWatch scene_files_, shader_files_;
+  DemoFacts facts_;
+  std::optional<ProbeInput> probed_; // of the frame that rests
+  PassTimes times_;
+  std::optional<Instant> last_; // what was drawn before
+  std::string last_rig_;
+  uint64_t drawn_ = 0, rig_frame_ = 0;
+  Clock::time_point frame_began_ = Clock::now(), message_since_;
+  std::string message_; // that is shown
+  glm::dvec2 mouse_{0};
+  bool was_held_ = false;  // the left button, at the last look: what moved before it was pressed is no drag
+  bool drags_bar_ = false; // of a split, while the mouse is held
+};
+
+} // namespace unghost

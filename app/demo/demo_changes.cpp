@@ -1,0 +1,65 @@
+// What changes under the demo while it runs: dropped scenes, and with --watch the files of scene and shaders.
+#include "app/demo/demo.h"
+
+namespace unghost {
+
+void Demo::show_scene(DemoScene loaded) {
+  context_ = loaded.context;
+  built_stage_ = loaded.context.stage;
+  renderer_ = std::move(loaded.renderer); // the one before waits for the device
+  scene_files_ = std::move(loaded.files), shader_files_ = std::move(loaded.shaders);
+  last_.reset();
+  window_.title("unghost: " + short_name(state_.scene));
+  for (const std::string& warning : renderer_->scene().warnings)
+    if (!console_.quiet) console_.err << state_.scene << ": " << warning << "\n";
+}
+
+/// Loading takes a while in which nothing moves: a frame is shown before it that says so.
+void Demo::ask_for_scene(const std::string& scene, const char* event) {
+  asked_scene_ = AskedScene{.scene = scene, .event = event};
+  state_.message = "loading " + short_name(scene);
+  window_.title("unghost: " + state_.message);
+}
+
+void Demo::load_asked_scene() {
+  if (!asked_scene_ || !std::exchange(asked_scene_->announced, true)) return;
+  const AskedScene asked = *std::exchange(asked_scene_, std::nullopt);
+  DemoState wanted = state_;
+  wanted.scene = asked.scene;
+  DemoScene loaded;
+  const auto fault = fault_of([&] { loaded = load_demo_scene(device_, wanted); });
+  if (fault) {
+    window_.title("unghost: " + short_name(state_.scene));
+    state_.message = *fault;
+  } else {
+    state_.scene = asked.scene;
+    show_scene(std::move(loaded));
+    const std::vector<std::string>& warnings = renderer_->scene().warnings;
+    state_.message = short_name(state_.scene) + (warnings.empty() ? "" : ": " + warnings.front());
+  }
+  say_event(asked.event, "scene");
+}
+
+/// What stands around the model, and how large it is, is part of the scene; its speed is not.
+void Demo::look_for_stage() {
+  StageSettings wanted = state_.settings.stage;
+  wanted.speed = built_stage_.speed;
+  if (wanted == built_stage_ || asked_scene_ || window_.held().left) return; // a slider is let go first
+  built_stage_ = wanted;
+  ask_for_scene(state_.scene, "stage");
+}
+
+void Demo::look_for_changes() {
+  look_for_stage();
+  if (!line_.watch || asked_scene_) return;
+  if (scene_files_.changed(Clock::now())) ask_for_scene(state_.scene, "watch");
+  if (!shader_files_.changed(Clock::now())) return;
+  const auto fault = fault_of([&] {
+    renderer_->reload_shaders();
+    last_.reset();
+  });
+  state_.message = fault.value_or("other shaders");
+  say_event("watch", "shaders");
+}
+
+} // namespace unghost

@@ -1,0 +1,65 @@
+#include "app/demo/demo_state.h"
+
+#include <algorithm>
+
+namespace unghost {
+
+DemoState default_demo_state() {
+  DemoState state;
+  for (const TaaMode& row : taa_modes())
+    state.modes.push_back({.name = std::string(row.name), .taa = row.settings});
+  state.mode = state.shown_before = place_of_mode(state, "grand-tour");
+  state.compared = {place_of_mode(state, "uncharted")};
+  return state;
+}
+
+glm::ivec2 pixel_of(const Picked& picked, glm::ivec2 picture_px) {
+  return glm::clamp(glm::ivec2(glm::floor(picked.at * glm::dvec2(picture_px))), glm::ivec2(0),
+                    picture_px - 1);
+}
+
+Settings settings_of(const DemoState& state, size_t mode) {
+  Settings settings = state.settings;
+  settings.taa = state.modes[mode].taa;
+  return settings;
+}
+
+std::vector<size_t> modes_seen(const DemoState& state) {
+  std::vector<size_t> seen = {state.mode};
+  if (state.arrangement == Arrangement::single) return seen;
+  seen.insert(seen.end(), state.compared.begin(), state.compared.end());
+  const size_t most = state.arrangement == Arrangement::grid ? 4 : 2;
+  seen.resize(std::min(seen.size(), most));
+  return seen;
+}
+
+void show_mode(DemoState& state, size_t mode) {
+  if (mode == state.mode) return;
+  std::ranges::replace(state.compared, mode, state.mode);
+  state.shown_before = state.mode;
+  state.mode = mode;
+}
+
+void compare_with(DemoState& state, size_t place, size_t mode) {
+  if (mode == state.mode) return show_mode(state, state.compared[place]);
+  std::ranges::replace(state.compared, mode, state.compared[place]);
+  state.compared[place] = mode;
+}
+
+void compare_one_more(DemoState& state) {
+  for (size_t mode = 0; mode < state.modes.size(); ++mode)
+    if (mode != state.mode && std::ranges::find(state.compared, mode) == state.compared.end())
+      return state.compared.push_back(mode);
+}
+
+size_t place_of_mode(const DemoState& state, std::string_view name) {
+  const auto found = std::ranges::find(state.modes, name, &ModeRun::name);
+  if (found == state.modes.end()) {
+    std::vector<std::string> names;
+    for (const ModeRun& run : state.modes) names.push_back(run.name);
+    throw SettingError("there is no mode '" + std::string(name) + "'" + did_you_mean(name, names));
+  }
+  return size_t(found - state.modes.begin());
+}
+
+} // namespace unghost

@@ -1,0 +1,83 @@
+// What the demo shows, and how, as plain data: keys, gamepad, panel and the file that keeps it from run to
+// run all change this and nothing else.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "app/demo/camera.h"
+#include "app/paths.h"
+#include "renderer/screen.h"
+
+namespace unghost {
+
+/// The row without a history, which switches TAA off.
+constexpr std::string_view no_taa = "off";
+
+/// A pixel that a person asks about.
+struct Picked {
+  size_t mode = 0;  // by place among the frame's modes
+  glm::dvec2 at{0}; // shares of the picture's size
+
+  bool operator==(const Picked&) const = default;
+};
+
+/// What one frame does that the next one does not.
+struct DemoRequests {
+  bool step = false;         // one frame more while paused
+  bool drop_history = false; // nothing of before may be used
+  bool screenshot = false;
+  bool copy_command = false; // to the clipboard
+  bool full_screen = false;  // changes it
+  bool leave = false;
+
+  bool operator==(const DemoRequests&) const = default;
+};
+
+struct DemoState {
+  std::string scene = own_scene, rig = "drive";
+  uint64_t seed = 1;
+  Settings settings;            // what all modes share; its taa is not read
+  std::vector<ModeRun> modes;   // every row of the table, as it has been changed
+  size_t mode = 0;              // of `modes`: what is shown, or the first of what is compared
+  std::vector<size_t> compared; // of `modes`: what stands beside it, from one to three
+  size_t shown_before = 0;      // of `modes`: what TAA is switched on to again
+  Arrangement arrangement = Arrangement::single;
+  double split = 0.5;   // where the bar stands, a share of the width
+  bool flicker = false; // while a key is held: the compared mode in place of the shown one
+  Magnifier magnifier;
+  bool magnifier_follows = false; // the mouse
+  std::optional<Picked> picked;
+  CameraOffset camera;
+  bool moving = true;              // the rig's time goes on
+  bool paused = false;             // no frame is drawn
+  bool panel = true, keys = false; // shown
+  bool hidden = false;             // nothing but the picture
+  double render_scale = 1;         // pixels rendered a pixel shown, along each axis; 0.5 to 1
+  std::optional<double> frame_ms;  // the scale is chosen so that a frame takes so long
+  DemoRequests requests;
+  std::string message; // what the last key did; shown for a second
+
+  bool operator==(const DemoState&) const = default;
+};
+
+/// The pixel that lies there in a picture of that size.
+glm::ivec2 pixel_of(const Picked& picked, glm::ivec2 picture_px);
+/// Every mode as its row has it, and what the command line's defaults are.
+DemoState default_demo_state();
+/// What the mode at that place of `modes` is drawn with.
+Settings settings_of(const DemoState& state, size_t mode);
+/// The places in `modes` of what is seen, the shown one first.
+std::vector<size_t> modes_seen(const DemoState& state);
+/// Shows that mode. One that was compared changes places with what was shown: none is seen twice.
+void show_mode(DemoState& state, size_t mode);
+/// Sets that mode at that place of `compared`. One that is seen already changes places with what was there.
+void compare_with(DemoState& state, size_t place, size_t mode);
+/// The first of `modes` that is not seen yet.
+void compare_one_more(DemoState& state);
+/// The place of the mode of that name. Throws SettingError with the nearest name.
+size_t place_of_mode(const DemoState& state, std::string_view name);
+
+} // namespace unghost

@@ -1,0 +1,32 @@
+// The smallest model there is.
+#pragma once
+
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+namespace unghost {
+
+// Three points: (0,0,0), (1,0,0), (0,1,1).
+inline constexpr const char* triangle =
+    "data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAIA/";
+
+/// A triangle over the box from 0 to 1, scaled and moved.
+inline nlohmann::json model(std::vector<float> scale, std::vector<float> translation) {
+  return {{"asset", {{"version", "2.0"}}},
+          {"scene", 0},
+          {"scenes", {{{"nodes", {0}}}}},
+          {"nodes", {{{"name", "body"}, {"mesh", 0}, {"scale", scale}, {"translation", translation}}}},
+          {"meshes", {{{"primitives", {{{"attributes", {{"POSITION", 0}}}}}}}}},
+          {"buffers", {{{"uri", triangle}, {"byteLength", 36}}}},
+          {"bufferViews", {{{"buffer", 0}, {"byteLength", 36}}}},
+          {"accessors",
+           {{{"bufferView", 0},
+             {"componentType", 5126},
+             {"count", 3},
+             {"type", "VEC3"},
+             {"min", {0, 0, 0}},
+             {"max", {1, 1, 1}}}}}};
+}
+
+} // namespace unghost

@@ -107,7 +107,8 @@ void add_options(CLI::App& app, const CommandRow& row, CommandLine& line) {
         ->check(CLI::Range(1u, most_frames));
   if (row.options & anatomy)
     app.add_option("--rounds", line.rounds,
-                   "Of the frame and of what it was made without, in turns (default 5)")
+                   "Of the frame and of what it was made without, in turns (default " +
+                       std::to_string(explain_rounds) + ")")
         ->check(CLI::Range(1u, most_frames));
   if (row.options & rounds_only)
     app.add_flag("--alone,!--no-alone", line.alone,

@@ -18,6 +18,7 @@ namespace unghost {
 struct CommandRow;
 
 constexpr uint32_t most_frames = 1'000'000, longest_side = 16384;
+constexpr uint32_t explain_rounds = 5; // some 40 s of the asphalt at 1280x720 on two cores of lavapipe
 
 struct PictureSize {
   uint32_t width = FrameInput{}.width, height = FrameInput{}.height;

@@ -17,8 +17,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr uint32_t usual_rounds = 5; // some 40 s of the asphalt at 1280x720 on two cores of lavapipe
-constexpr size_t longest_list = 16;  // of pipelines that a person reads
+constexpr size_t longest_list = 16; // of pipelines that a person reads
 
 std::string mib(double bytes) { return fixed(bytes / (1 << 20), 1); }
 /// What would be read as 0.0 is not.
@@ -31,7 +30,8 @@ struct Spread {
   double low = 0, middle = 0, high = 0;
   bool few = false;
   explicit Spread(const std::vector<double>& ms)
-      : low(quantile(ms, 0.1)), middle(median(ms)), high(quantile(ms, 0.9)), few(ms.size() < usual_rounds) {}
+      : low(quantile(ms, 0.1)), middle(median(ms)), high(quantile(ms, 0.9)), few(ms.size() < explain_rounds) {
+  }
   bool below_noise() const { return few || (low <= 0 && high >= 0); }
 };
 
@@ -196,7 +196,7 @@ void explain(const CommandLine& line, Console& console) {
   Headless headless(line, shot, console);
   const Film film = headless.film();
   const FrameParts parts =
-      take_apart(film, shot.modes.front(), shot.frames - 1, line.rounds.value_or(usual_rounds));
+      take_apart(film, shot.modes.front(), shot.frames - 1, line.rounds.value_or(explain_rounds));
   const json stillness = stillness_json(film, shot);
   if (line.json) {
     json object = headless.facts();

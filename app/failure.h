@@ -1,8 +1,10 @@
 // How a run ends, and the one exception that our own code throws towards the end of it.
 #pragma once
 
+#include <iosfwd>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace unghost {
 
@@ -21,5 +23,8 @@ struct Failure : std::runtime_error {
   Failure(Exit code, const std::string& sentence) : std::runtime_error(sentence), exit(code) {}
   Exit exit;
 };
+
+/// Writes what the validation layer has said; where that is anything, the run has failed.
+void report_validation(std::ostream& to, const std::vector<std::string>& messages);
 
 } // namespace unghost

@@ -40,15 +40,8 @@ Headless::Headless(const CommandLine& line, const Shot& shot, Console& console)
     : line_(line), shot_(shot), console_(console) {
   const DataFolders folders = find_data_folders();
   device_ = std::make_unique<Device>(DeviceRequest{.which = line.device, .validate = line.validate});
-  LoadLimits limits;
-  limits.image_side = std::min(limits.image_side, device_->largest_image_side());
-  Staged staged = build_stage(scene_file(shot.scene, folders.assets), scene_file(own_scene, folders.assets),
-                              shot.settings.stage, limits);
-  context_ = {.seed = shot.seed,
-              .track_radius = staged.track_radius,
-              .vehicle = staged.vehicle,
-              .stage = shot.settings.stage,
-              .light = shot.settings.light};
+  Staged staged = stage_scene(shot.scene, folders, shot.settings.stage, *device_);
+  context_ = rig_context(staged, shot.seed, shot.settings);
   if (!console.quiet)
     for (const std::string& warning : staged.scene.warnings)
       console.err << shot.scene << ": " << warning << "\n";
@@ -116,11 +109,7 @@ nlohmann::json Headless::facts() const {
 
 void Headless::finish() const {
   if (line_.timings) console_.err << times_.text();
-  const std::vector<std::string>& messages = device_->validation_messages();
-  for (const std::string& message : messages) console_.err << message << "\n";
-  if (!messages.empty())
-    throw Failure(Exit::failed,
-                  "the validation layer has " + std::to_string(messages.size()) + " complaints");
+  report_validation(console_.err, device_->validation_messages());
 }
 
 } // namespace unghost

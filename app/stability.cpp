@@ -170,10 +170,7 @@ void stability(const CommandLine& line, Console& console) {
     result = run_stability(request);
   }
   print(line, console, result.table, file.get());
-  for (const std::string& message : result.validation_messages) console.err << message << "\n";
-  if (!result.validation_messages.empty())
-    throw Failure(Exit::failed, "the validation layer has " +
-                                    std::to_string(result.validation_messages.size()) + " complaints");
+  report_validation(console.err, result.validation_messages);
   asphalts.finish();
   const auto failed = std::ranges::count(result.table.cells, false, &StabilityCell::pass);
   if (failed > 0)

@@ -111,4 +111,20 @@ Staged build_stage(const std::filesystem::path& file, const std::filesystem::pat
   return staged;
 }
 
+Staged stage_scene(const std::string& scene, const DataFolders& folders, const StageSettings& settings,
+                   const Device& device) {
+  LoadLimits limits;
+  limits.image_side = std::min(limits.image_side, device.largest_image_side());
+  return build_stage(scene_file(scene, folders.assets), scene_file(own_scene, folders.assets), settings,
+                     limits);
+}
+
+RigContext rig_context(const Staged& staged, uint64_t seed, const Settings& settings) {
+  return {.seed = seed,
+          .track_radius = staged.track_radius,
+          .vehicle = staged.vehicle,
+          .stage = settings.stage,
+          .light = settings.light};
+}
+
 } // namespace unghost

@@ -3,8 +3,10 @@
 
 #include <filesystem>
 
+#include "app/paths.h"
+#include "app/rigs.h"
+#include "renderer/gpu/device.h"
 #include "renderer/scene/load.h"
-#include "renderer/settings.h"
 
 namespace unghost {
 
@@ -18,5 +20,11 @@ struct Staged {
 /// of the car in `road`. Throws Failure(input_refused) with the file and the reason.
 Staged build_stage(const std::filesystem::path& file, const std::filesystem::path& road,
                    const StageSettings& settings, const LoadLimits& limits = {});
+
+/// The scene of that name on its stage, with images that `device` can hold.
+Staged stage_scene(const std::string& scene, const DataFolders& folders, const StageSettings& settings,
+                   const Device& device);
+/// What rigs are fitted to there.
+RigContext rig_context(const Staged& staged, uint64_t seed, const Settings& settings);
 
 } // namespace unghost

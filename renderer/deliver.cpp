@@ -1,18 +1,11 @@
 #include "renderer/deliver.h"
 
 #include <cassert>
-#include <cstring>
 
 #include <glm/gtc/packing.hpp>
 
 namespace unghost {
 namespace {
-
-template <class T> T load(const std::vector<std::byte>& bytes, size_t index) {
-  T value;
-  std::memcpy(&value, bytes.data() + index * sizeof(T), sizeof(T));
-  return value;
-}
 
 /// An image of `channels` out of texels of `stride` elements each, element by element.
 template <class T, class Convert>
@@ -23,7 +16,7 @@ FloatImage floats(const FrameInput& input, const std::vector<std::byte>& bytes, 
   image.values.reserve(pixels * channels);
   for (size_t pixel = 0; pixel < pixels; ++pixel)
     for (uint32_t channel = 0; channel < channels; ++channel)
-      image.values.push_back(convert(load<T>(bytes, pixel * stride + channel)));
+      image.values.push_back(convert(element<T>(bytes, pixel * stride + channel)));
   return image;
 }
 

@@ -5,6 +5,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "renderer/frame.h"
+#include "renderer/geometry_sharing.h"
 #include "renderer/pose.h"
 #include "renderer/scene/bounds.h"
 #include "renderer/sun.h"
@@ -221,15 +222,6 @@ bool shows_sun(const FrameInput& input) {
          std::ranges::find(input.wanted, Output::sun_visibility, &Wanted::what) != input.wanted.end();
 }
 
-bool share_geometry(const FrameInput& input, const TaaSettings& a, const TaaSettings& b) {
-  if (a.mip_bias != b.mip_bias) return false;
-  if (input.jitter_px) return a.texture_jitter == b.texture_jitter;
-  const bool still = a.policy.jitter == Jitter::none || a.jitter_scale == 0;
-  const bool other_still = b.policy.jitter == Jitter::none || b.jitter_scale == 0;
-  return (still && other_still) || (!still && !other_still && a.policy.jitter == b.policy.jitter &&
-                                    a.jitter_scale == b.jitter_scale && a.texture_jitter == b.texture_jitter);
-}
-
 /// By mode, whether its history is of another policy; `policies` become this frame's.
 std::vector<uint8_t> changes_of(std::vector<TaaPolicy>& policies, const std::vector<ModeRun>& modes) {
   std::vector<uint8_t> changed;
@@ -238,18 +230,6 @@ std::vector<uint8_t> changes_of(std::vector<TaaPolicy>& policies, const std::vec
   policies.clear();
   for (const ModeRun& run : modes) policies.push_back(run.taa.policy);
   return changed;
-}
-
-/// For each mode the index of its geometry, and for each geometry the settings that its jitter comes from.
-std::vector<const TaaSettings*> share_geometries(const FrameInput& input, std::vector<size_t>& geometry_of) {
-  std::vector<const TaaSettings*> jitters;
-  for (const ModeRun& run : input.modes) {
-    size_t geometry = 0;
-    while (geometry < jitters.size() && !share_geometry(input, *jitters[geometry], run.taa)) ++geometry;
-    if (geometry == jitters.size()) jitters.push_back(&run.taa);
-    geometry_of.push_back(geometry);
-  }
-  return jitters;
 }
 
 } // namespace
@@ -296,8 +276,9 @@ FrameSetup describe_frame(FrameGraph& graph, const FrameInput& given, const Scen
                   .timed = input.timed};
   list_draws(graph, in, constants, gpu, objects);
 
-  FrameSetup setup;
-  for (const TaaSettings* taa : share_geometries(input, setup.geometry_of)) {
+  const SharedGeometries shared = share_geometries(input);
+  FrameSetup setup{.contexts = {}, .geometry_of = shared.of_mode};
+  for (const TaaSettings* taa : shared.settings) {
     const glm::dvec2 own = jitter_offset(taa->policy.jitter, input.index) * double(taa->jitter_scale);
     const glm::dvec2 jitter_px = input.jitter_px.value_or(own);
     describe_camera(constants, input, jitter_px);

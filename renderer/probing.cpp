@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <cstring>
 
 #include <glm/gtc/packing.hpp>
+
+#include "renderer/deliver.h"
 
 namespace unghost {
 namespace {
@@ -23,13 +24,6 @@ VkRect2D neighbourhood(const FrameInput& input) {
           {std::min(x + 2, input.width) - left, std::min(y + 2, input.height) - top}};
 }
 
-template <class T> T load(const std::vector<std::byte>& bytes, size_t index = 0) {
-  T value;
-  assert((index + 1) * sizeof(T) <= bytes.size());
-  std::memcpy(&value, bytes.data() + index * sizeof(T), sizeof(T));
-  return value;
-}
-
 /// Texels of the 3x3 pixels, row by row, the edge going on.
 template <class T> std::array<T, 9> nine(const FrameInput& input, const std::vector<std::byte>& bytes) {
   const VkRect2D part = neighbourhood(input);
@@ -37,7 +31,7 @@ template <class T> std::array<T, 9> nine(const FrameInput& input, const std::vec
   for (int i = 0; i < 9; ++i) {
     const int x = std::clamp(int(input.probe->x) + i % 3 - 1, 0, int(input.width) - 1) - part.offset.x;
     const int y = std::clamp(int(input.probe->y) + i / 3 - 1, 0, int(input.height) - 1) - part.offset.y;
-    texels[size_t(i)] = load<T>(bytes, size_t(y) * part.extent.width + size_t(x));
+    texels[size_t(i)] = element<T>(bytes, size_t(y) * part.extent.width + size_t(x));
   }
   return texels;
 }
@@ -47,9 +41,9 @@ glm::vec3 unpacked(uint64_t half) { return glm::vec3(glm::unpackHalf4x16(half));
 /// What the resolve wrote of its pixel. Motions are of the 3x3 pixels.
 void take_resolve(ProbedPixel& pixel, const std::vector<std::byte>& texels,
                   const std::array<glm::vec2, 9>& motions) {
-  const auto found = load<glm::vec4>(texels, TAA_PROBE_FOUND),
-             bounded = load<glm::vec4>(texels, TAA_PROBE_BOUNDED),
-             why = load<glm::vec4>(texels, TAA_PROBE_WHY);
+  const auto found = element<glm::vec4>(texels, TAA_PROBE_FOUND),
+             bounded = element<glm::vec4>(texels, TAA_PROBE_BOUNDED),
+             why = element<glm::vec4>(texels, TAA_PROBE_WHY);
   pixel.weight = bounded.w, pixel.count = why.z;
   pixel.causes = Reject(uint32_t(why.y));
   if (why.w == 0) return;
@@ -88,11 +82,11 @@ ProbedPixel probed(const FrameInput& input, std::span<const std::vector<std::byt
   ProbedPixel pixel{.input = *input.probe,
                     .mode = input.modes[input.probe->mode],
                     .exposure = std::exp2(input.settings.light.exposure_ev),
-                    .resolved = unpacked(load<uint64_t>(readbacks[resolved])),
-                    .depth_m = float(input.now.near_plane) / load<float>(readbacks[depth]),
+                    .resolved = unpacked(element<uint64_t>(readbacks[resolved])),
+                    .depth_m = float(input.now.near_plane) / element<float>(readbacks[depth]),
                     .motion_px = motions[4],
-                    .tag = load<uint8_t>(readbacks[tag]),
-                    .object = load<uint32_t>(readbacks[object])};
+                    .tag = element<uint8_t>(readbacks[tag]),
+                    .object = element<uint32_t>(readbacks[object])};
   std::ranges::transform(nine<uint64_t>(input, readbacks[colours]), pixel.colours.begin(), unpacked);
   if (resolves(input)) take_resolve(pixel, readbacks[of_resolve], motions);
   return pixel;

@@ -70,26 +70,16 @@ Cache kept_display(FrameGraph& graph, size_t mode, ImageDesc desc) {
   return graph.cache(desc.name, desc, 0);
 }
 
-void copy(FrameGraph& graph, ImageRef from, ImageRef to) {
-  graph.pass({.name = "keep what is shown",
-              .kind = PassKind::transfer,
-              .transfers = {{from, Use::transfer_source}, {to, Use::transfer_destination}},
-              .root = true,
-              .record = [from, to, extent = graph.desc(from).extent](PassCommands& pass) {
-                constexpr VkImageSubresourceLayers colour{VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
-                const VkImageCopy whole{colour, {}, colour, {}, {extent.width, extent.height, 1}};
-                vkCmdCopyImage(pass.commands(), pass.image(from), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL,
-                               pass.image(to), VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &whole);
-              }});
-}
-
 } // namespace
 
 void Renderer::Parts::keep_displays(FrameGraph& graph, const FrameImages& images) {
   displays_desc = graph.desc(images.modes.front().display);
   kept_displays = images.modes.size();
   for (size_t mode = 0; mode < kept_displays; ++mode)
-    copy(graph, images.modes[mode].display, kept_display(graph, mode, displays_desc).image);
+    graph.copy({.name = "keep what is shown",
+                .from = images.modes[mode].display,
+                .to = kept_display(graph, mode, displays_desc).image,
+                .root = true});
 }
 
 void Renderer::Parts::submit(const FrameInput& input, const Swapchain* window) {

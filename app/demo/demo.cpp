@@ -270,10 +270,7 @@ void Demo::run() {
   device_.wait_idle();
   save_demo(state_, config_file());
   if (line_.timings) console_.err << times_.text();
-  for (const std::string& message : device_.validation_messages()) console_.err << message << "\n";
-  if (!device_.validation_messages().empty())
-    throw Failure(Exit::failed, "the validation layer has " +
-                                    std::to_string(device_.validation_messages().size()) + " complaints");
+  report_validation(console_.err, device_.validation_messages());
 }
 
 void demo(const CommandLine& line, Console& console) { Demo(line, console).run(); }

@@ -23,19 +23,12 @@ bool is_called_a_scene(const std::filesystem::path& file) {
 DemoScene load_demo_scene(Device& device, const DemoState& state) {
   if (!is_utf8(state.scene)) throw Failure(Exit::input_refused, "the scene's name is not UTF-8");
   const DataFolders folders = find_data_folders();
-  const std::filesystem::path file = scene_file(state.scene, folders.assets);
   DemoScene loaded;
-  loaded.files.add({file});
-  loaded.shaders.add({folders.shaders / list_of_sums}); // which are compiled before it
-  LoadLimits limits;
-  limits.image_side = std::min(limits.image_side, device.largest_image_side());
-  Staged staged = build_stage(file, scene_file(own_scene, folders.assets), state.settings.stage, limits);
+  loaded.files.add({scene_file(state.scene, folders.assets)}); // also where it cannot be read
+  loaded.shaders.add({folders.shaders / list_of_sums});        // which are compiled before it
+  Staged staged = stage_scene(state.scene, folders, state.settings.stage, device);
   loaded.files.add(staged.scene.files);
-  loaded.context = {.seed = state.seed,
-                    .track_radius = staged.track_radius,
-                    .vehicle = staged.vehicle,
-                    .stage = state.settings.stage,
-                    .light = state.settings.light};
+  loaded.context = rig_context(staged, state.seed, state.settings);
   loaded.renderer = std::make_unique<Renderer>(device, folders.shaders, std::move(staged.scene));
   loaded.renderer->reload_shaders(); // all of them, so that no frame depends on a folder that changes
   return loaded;

@@ -1,16 +1,15 @@
 #include "app/demo/measured_figures.h"
 
-#include <nlohmann/json.hpp>
+#include <algorithm>
 
 #include "app/failure.h"
-#include "app/files.h"
 #include "app/paths.h"
+#include "app/shards.h"
 #include "app/table.h"
 
 namespace unghost {
 namespace {
 
-constexpr size_t largest_file = 16 << 20;
 constexpr const char* told[] = {"ghosting", "shimmer", "trail"};
 
 } // namespace
@@ -18,17 +17,14 @@ constexpr const char* told[] = {"ghosting", "shimmer", "trail"};
 MeasuredFigures measured_figures(const std::filesystem::path& results) {
   MeasuredFigures figures;
   try {
-    const std::vector<uint8_t> bytes = read_file(results, largest_file);
     uint64_t largest = 0;
-    for (const Measured& scene : results_from_json(nlohmann::json::parse(bytes), results.string()).scenes) {
+    for (const Measured& scene : results_from_json(read_json(results), results.string()).scenes) {
       const uint64_t pixels = uint64_t(scene.width) * scene.height;
       if (scene.scene != own_scene || pixels < largest) continue;
       if (pixels > largest) figures.clear(), largest = pixels;
       for (const MeasuredMode& row : scene.rows) figures[scene.rig][row.mode] = row;
     }
   } catch (const Failure&) {
-    return {};
-  } catch (const nlohmann::json::exception&) {
     return {};
   }
   return figures;

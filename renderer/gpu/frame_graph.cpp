@@ -90,6 +90,14 @@ void FrameGraph::compute(ComputePass pass) {
                      }});
 }
 
+void FrameGraph::copy(const CopyPass& pass) {
+  passes_.push_back({.name = pass.name,
+                     .kind = PassKind::transfer,
+                     .transfers = {{pass.from, Use::transfer_source}, {pass.to, Use::transfer_destination}},
+                     .root = pass.root,
+                     .record = [pass](PassCommands& commands) { commands.copy(pass.from, pass.to); }});
+}
+
 size_t FrameGraph::read_back(ImageRef image, VkImageAspectFlags aspect, std::optional<VkRect2D> part) {
   want(image);
   readbacks_.push_back({image, aspect, part.value_or(VkRect2D{{}, desc(image).extent})});

@@ -107,6 +107,13 @@ struct ComputePass {
   VkExtent2D group{WORKGROUP_WIDTH, WORKGROUP_HEIGHT}; // of which a workgroup does so many
 };
 
+/// All of an image into another of its format and size.
+struct CopyPass {
+  std::string name;
+  ImageRef from, to;
+  bool root = false;
+};
+
 /// What outlives frames, by name: histories and caches. Knows what they are and whether they hold something;
 /// the images themselves are the runner's.
 struct KeptImage {
@@ -149,6 +156,7 @@ public:
 
   void pass(Pass pass) { passes_.push_back(std::move(pass)); }
   void compute(ComputePass pass);
+  void copy(const CopyPass& pass);
   /// This image is what the frame is for.
   void want(ImageRef image) { wanted_.push_back(image); }
   /// Brings an aspect of the image, or a part of it, to the host; the answer is the place in the runner's

@@ -105,6 +105,7 @@ public:
   bool live(ImageRef image) const { return bool(image) && context_.plan.images[image.index].live; }
   VkImage image(ImageRef image) const;
   void dispatch(const ComputePass& pass);
+  void copy(ImageRef from, ImageRef to);
   void read_back(size_t place);
 
   /// Between `begin_rendering` and `end_rendering`: the pass's attachments, live ones only.

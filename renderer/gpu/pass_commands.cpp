@@ -66,6 +66,14 @@ void PassCommands::dispatch(const ComputePass& pass) {
                 (pass.cover.height + pass.group.height - 1) / pass.group.height, 1);
 }
 
+void PassCommands::copy(ImageRef from, ImageRef to) {
+  const ImageDesc& desc = context_.graph.desc(from);
+  const VkImageSubresourceLayers all{aspects_of(desc.format), 0, 0, 1};
+  const VkImageCopy whole{all, {}, all, {}, {desc.extent.width, desc.extent.height, 1}};
+  vkCmdCopyImage(commands_, image(from), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, image(to),
+                 VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &whole);
+}
+
 void PassCommands::note(const std::string& shader, const std::vector<uint32_t>& constants,
                         const Pipeline& pipeline) {
   const auto found = std::ranges::find_if(

@@ -44,16 +44,7 @@ ImageRef draw_shadow_map(FrameGraph& graph, const FrameContext& in) {
     return rests.image;
 
   const ImageRef all = graph.image({.name = "shadows", .format = shadow_format, .extent = side});
-  graph.pass({.name = "copy shadows",
-              .kind = PassKind::transfer,
-              .transfers = {{rests.image, Use::transfer_source}, {all, Use::transfer_destination}},
-              .record = [rests = rests.image, all, side](PassCommands& commands) {
-                constexpr VkImageSubresourceLayers depth{VK_IMAGE_ASPECT_DEPTH_BIT, 0, 0, 1};
-                const VkImageCopy copy{depth, {}, depth, {}, {side.width, side.height, 1}};
-                vkCmdCopyImage(commands.commands(), commands.image(rests),
-                               VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, commands.image(all),
-                               VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &copy);
-              }});
+  graph.copy({.name = "copy shadows", .from = rests.image, .to = all});
   draw_casters(graph, in, "shadows of what moves", true, {all, {}});
   return all;
 }

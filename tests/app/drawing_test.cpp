@@ -14,6 +14,7 @@
 #include "app/png_file.h"
 #include "tests/app/device_test.h"
 #include "tests/app/outcome.h"
+#include "tests/app/triangle_model.h"
 
 namespace unghost {
 namespace {
@@ -186,22 +187,10 @@ TEST_F(DrawingTest, AxesOfASceneAreThoseOfItsSeed) {
 }
 
 TEST_F(DrawingTest, AModelThatIsASinglePointDraws) {
-  const json model = {
-      {"asset", {{"version", "2.0"}}},
-      {"scenes", {{{"nodes", {0}}}}},
-      {"nodes", {{{"mesh", 0}}}},
-      {"meshes", {{{"primitives", {{{"attributes", {{"POSITION", 0}}}}}}}}},
-      {"buffers",
-       {{{"uri", "data:application/octet-stream;base64," + std::string(48, 'A')}, {"byteLength", 36}}}},
-      {"bufferViews", {{{"buffer", 0}, {"byteLength", 36}}}},
-      {"accessors",
-       {{{"bufferView", 0},
-         {"componentType", 5126},
-         {"count", 3},
-         {"type", "VEC3"},
-         {"min", {0, 0, 0}},
-         {"max", {0, 0, 0}}}}}};
-  const std::string point = folder.file("point.gltf", model.dump()).string();
+  json one_point = model({1, 1, 1}, {0, 0, 0});
+  one_point["buffers"][0]["uri"] = "data:application/octet-stream;base64," + std::string(48, 'A');
+  one_point["accessors"][0]["max"] = {0, 0, 0};
+  const std::string point = folder.file("point.gltf", one_point.dump()).string();
   for (const char* stage : {"stage=asphalt", "stage=none"}) {
     const Outcome drawn = draw(
         {"capture", point, "--frames", "2", "--set", stage, "--buffers", file("b"), "-o", file("p.png")});

@@ -1,5 +1,4 @@
 // `unghost explain`: on a device, small; and what a frame's parts come to, of frames that are made up.
-#include <fstream>
 #include <sstream>
 
 #include <gtest/gtest.h>
@@ -9,6 +8,7 @@
 #include "app/measure/quantile.h"
 #include "tests/app/device_test.h"
 #include "tests/app/outcome.h"
+#include "tests/app/triangle_model.h"
 
 namespace unghost {
 namespace {
@@ -57,17 +57,11 @@ class Explain : public DeviceTest {
 protected:
   /// An unlit triangle by itself, small.
   Outcome explain(const Words& more) const {
-    const std::filesystem::path file = folder.path / "triangle.gltf";
-    std::ofstream(file)
-        << R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
-      "extensionsUsed": ["KHR_materials_unlit"],
-      "materials": [{"doubleSided": true, "extensions": {"KHR_materials_unlit": {}}}],
-      "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "material": 0}]}],
-      "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3",
-                     "min": [0, 0, 0], "max": [1, 1, 0]}],
-      "bufferViews": [{"buffer": 0, "byteLength": 36}],
-      "buffers": [{"byteLength": 36,
-        "uri": "data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"}]})";
+    json unlit = model({1, 1, 1}, {0, 0, 0});
+    unlit["extensionsUsed"] = {"KHR_materials_unlit"};
+    unlit["materials"] = {{{"doubleSided", true}, {"extensions", {{"KHR_materials_unlit", json::object()}}}}};
+    unlit["meshes"][0]["primitives"][0]["material"] = 0;
+    const std::filesystem::path file = folder.file("triangle.gltf", unlit.dump());
     Words words{"explain", file.string(), "--set", "stage=none", "--size",
                 "96x54",   "--frames",    "2",     "--rounds",   "1"};
     words.insert(words.end(), more.begin(), more.end());

@@ -87,6 +87,43 @@ std::string comparison_present(const DemoState& state) {
   return std::string(spelling(state.arrangement)) + " with " + state.modes[state.compared.front()].name;
 }
 
+bool compares(const DemoState& state) { return state.arrangement != Arrangement::single; }
+
+/// Through those of several modes.
+void show_next_arrangement(DemoState& state) {
+  const std::span<const Answer> all = answers<Arrangement>();
+  if (!compares(state)) return switch_comparison(state);
+  const auto now = std::ranges::find(all, uint32_t(state.arrangement), &Answer::value);
+  const auto next = now + 1 == all.end() ? all.begin() : now + 1;
+  state.arrangement = Arrangement(next->value);
+  if (!compares(state)) show_next_arrangement(state);
+}
+
+std::string no_room_for_one_more(const DemoState& state) {
+  if (!compares(state)) return "nothing is compared";
+  return modes_seen(state).size() > most_compared ? "four are the most" : "";
+}
+
+std::string no_one_less(const DemoState& state) {
+  if (!compares(state)) return "nothing is compared";
+  return state.compared.size() < 2 ? "two are the least" : "";
+}
+
+std::string compared_present(const DemoState& state) {
+  std::string names;
+  for (const size_t mode : modes_seen(state)) names += (names.empty() ? "" : ", ") + state.modes[mode].name;
+  return names;
+}
+
+std::string as_its_row(const DemoState& state) { return is_changed(state) ? "" : "it is as its row has it"; }
+
+std::string is_as_at_first(const DemoState& state) {
+  DemoState reset = state;
+  reset_all(reset);
+  reset.message = state.message;
+  return reset == state ? "it is" : "";
+}
+
 float jitter_scale_of(const DemoState& state) { return state.modes[state.mode].taa.jitter_scale; }
 
 // To whole tenths: ten steps of 0.1f are not 1.
@@ -211,6 +248,11 @@ std::vector<Action> rows_beyond_it() {
     {"mode", GLFW_KEY_LEFT_BRACKET, false, no_button, "Previous mode", show_neighbour<-1>, says_nothing, shown_name},
     {"mode", GLFW_KEY_RIGHT_BRACKET, false, no_button, "Next mode", show_neighbour<1>, says_nothing, shown_name},
     {"comparison", GLFW_KEY_B, false, no_button, "Compare two modes, or see one", switch_comparison, says_nothing, comparison_present},
+    {"arrangement", GLFW_KEY_B, true, no_button, "Next way to compare: by a bar, in a grid, by what differs", show_next_arrangement, says_nothing, comparison_present},
+    {"compared", GLFW_KEY_EQUAL, false, no_button, "One mode more in a grid", compare_one_more, no_room_for_one_more, compared_present},
+    {"compared", GLFW_KEY_MINUS, false, no_button, "One mode less in a grid", compare_one_less, no_one_less, compared_present},
+    {"settings", GLFW_KEY_DELETE, false, no_button, "The mode as its row of the table has it", reset_mode, as_its_row, shown_name},
+    {"everything", GLFW_KEY_DELETE, true, no_button, "Everything but the scene as in the first run", reset_all, is_as_at_first, says_nothing},
     cycles<view, 1>({"view", GLFW_KEY_N, false, no_button, "Next view in place of the picture"}),
     cycles<view, -1>({"view", GLFW_KEY_N, true, no_button, "Previous view"}),
     toggles<&DemoState::paused>({"pause", GLFW_KEY_P, false, no_button, "Pause, or go on"}),

@@ -68,6 +68,7 @@ Demo::Demo(const CommandLine& line, Console& console)
   facts_.device = device_.facts().name;
   facts_.software = device_.facts().software;
   facts_.measured = measured_figures(find_data_folders().assets / "report" / "full.json");
+  facts_.scenes = {own_scene};
   show_scene(load_demo_scene(device_, state_));
 }
 
@@ -117,7 +118,14 @@ std::optional<ProbeInput> Demo::probe(size_t modes) const {
   return ProbeInput{.mode = mode < modes ? mode : 0, .x = uint32_t(pixel.x), .y = uint32_t(pixel.y)};
 }
 
-/// While paused no frame brings it.
+/// What was drawn last, under the bar and the magnifier of now.
+void Demo::show_what_rests() {
+  probe_what_rests();
+  renderer_->show_again(place().screen, swapchain_);
+  std::this_thread::sleep_for(std::chrono::duration<double>(idle_seconds));
+}
+
+/// No frame brings it.
 void Demo::probe_what_rests() {
   const std::optional<ProbeInput> asked = probe(shown().size());
   if (!asked || asked == probed_) return;
@@ -158,27 +166,21 @@ void Demo::draw() {
   swapchain_.picture_x = uint32_t(place().at.x);
   if (!state_.picked) facts_.pixel.reset();
   const bool goes_on = !state_.paused || state_.requests.step;
-  if (!goes_on && last_) {
-    probe_what_rests();
-    renderer_->show_again(place().screen, swapchain_);
-    std::this_thread::sleep_for(std::chrono::duration<double>(idle_seconds));
-    return;
-  }
+  if (!goes_on && last_) return show_what_rests();
   state_.requests.step = false;
   const FrameInput input = next_frame();
+  facts_.rests = stillness_->frames_left(input) == 0 && renderer_->has_shown();
+  ++drawn_; // also where it rests: it stands for one that looks the same
+  rig_frame_ += state_.moving;
+  if (facts_.rests) return show_what_rests();
   probed_.reset();
   if (const std::optional<FrameResult> result = renderer_->show(input, swapchain_)) note(*result);
-  ++drawn_;
-  rig_frame_ += goes_on && state_.moving;
 }
 
 void Demo::say_event(const char* event, const std::string& action) const {
   if (!line_.json) return;
-  console_.out << nlohmann::json{{"event", event},
-                                 {"action", action},
-                                 {"message", state_.message},
-                                 {"drawn", drawn_},
-                                 {"state", demo_json(state_)}}
+  console_.out << nlohmann::json{{"event", event},  {"action", action},      {"message", state_.message},
+                                 {"drawn", drawn_}, {"rests", facts_.rests}, {"state", demo_json(state_)}}
                       .dump(-1, ' ', false, nlohmann::json::error_handler_t::replace)
                << std::endl;
 }
@@ -238,6 +240,7 @@ void Demo::answer_requests() {
     say_event("screenshot", state_.message);
   }
   if (std::exchange(asked.full_screen, false)) window_.toggle_full_screen();
+  if (const auto scene = std::exchange(asked.scene, {})) ask_for_scene(*scene, "panel");
   if (std::exchange(asked.copy_command, false)) {
     try {
       window_.copy(command_of(state_));

@@ -11,6 +11,7 @@
 #include "app/demo/panel.h"
 #include "app/demo/window.h"
 #include "app/pass_times.h"
+#include "renderer/stillness.h"
 
 namespace unghost {
 
@@ -47,6 +48,7 @@ private:
   void take_screenshot();
   bool fit_window(); // false where nothing can be shown
   void draw();
+  void show_what_rests();
   FrameInput next_frame();
   void note(const FrameResult& result);
   void say_event(const char* event, const std::string& action) const;
@@ -64,6 +66,7 @@ private:
   RigContext context_;
   StageSettings built_stage_; // that the scene was loaded with
   std::unique_ptr<Renderer> renderer_;
+  std::optional<Stillness> stillness_; // of the renderer's scene
   std::optional<AskedScene> asked_scene_;
   FileWatch scene_files_, shader_files_;
   DemoFacts facts_;

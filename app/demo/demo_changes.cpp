@@ -1,4 +1,6 @@
 // What changes under the demo while it runs: dropped scenes, and with --watch the files of scene and shaders.
+#include <algorithm>
+
 #include "app/demo/demo.h"
 
 namespace unghost {
@@ -8,7 +10,10 @@ void Demo::show_scene(DemoScene loaded) {
   built_stage_ = loaded.context.stage;
   renderer_ = std::move(loaded.renderer); // the one before waits for the device
   scene_files_ = std::move(loaded.files), shader_files_ = std::move(loaded.shaders);
+  stillness_.emplace(!renderer_->scene().animations.empty());
   last_.reset();
+  if (std::ranges::find(facts_.scenes, state_.scene) == facts_.scenes.end())
+    facts_.scenes.push_back(state_.scene);
   window_.title("unghost: " + short_name(state_.scene));
   for (const std::string& warning : renderer_->scene().warnings)
     if (!console_.quiet) console_.err << state_.scene << ": " << warning << "\n";

@@ -47,9 +47,28 @@ void compare_with(DemoState& state, size_t place, size_t mode) {
 }
 
 void compare_one_more(DemoState& state) {
+  if (state.compared.size() == most_compared) return;
+  if (!state.compared.empty()) state.arrangement = Arrangement::grid;
   for (size_t mode = 0; mode < state.modes.size(); ++mode)
     if (mode != state.mode && std::ranges::find(state.compared, mode) == state.compared.end())
       return state.compared.push_back(mode);
+}
+
+void compare_one_less(DemoState& state) {
+  if (state.compared.size() > 1) state.compared.pop_back();
+}
+
+bool is_changed(const DemoState& state) {
+  return !(state.modes[state.mode].taa == taa_modes()[state.mode].settings);
+}
+
+void reset_mode(DemoState& state) { state.modes[state.mode].taa = taa_modes()[state.mode].settings; }
+
+void reset_all(DemoState& state) {
+  DemoState fresh = default_demo_state();
+  fresh.scene = state.scene;
+  fresh.requests = state.requests;
+  state = std::move(fresh);
 }
 
 size_t place_of_mode(const DemoState& state, std::string_view name) {

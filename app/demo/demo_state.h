@@ -29,8 +29,9 @@ struct DemoRequests {
   bool step = false;         // one frame more while paused
   bool drop_history = false; // nothing of before may be used
   bool screenshot = false;
-  bool copy_command = false; // to the clipboard
-  bool full_screen = false;  // changes it
+  bool copy_command = false;        // to the clipboard
+  bool full_screen = false;         // changes it
+  std::optional<std::string> scene; // is loaded
   bool leave = false;
 
   bool operator==(const DemoRequests&) const = default;
@@ -75,8 +76,18 @@ std::vector<size_t> modes_seen(const DemoState& state);
 void show_mode(DemoState& state, size_t mode);
 /// Sets that mode at that place of `compared`. One that is seen already changes places with what was there.
 void compare_with(DemoState& state, size_t place, size_t mode);
-/// The first of `modes` that is not seen yet.
+/// Sets the first of `modes` that is not seen yet beside the others, which takes a grid where two are shown
+/// by a bar.
 void compare_one_more(DemoState& state);
+/// The least is one beside the shown one.
+void compare_one_less(DemoState& state);
+constexpr size_t most_compared = 3;
+/// Whether the shown mode has a setting that its row of the table has not.
+bool is_changed(const DemoState& state);
+/// The shown mode as its row of the table has it.
+void reset_mode(DemoState& state);
+/// Everything as in the first run, but for the scene.
+void reset_all(DemoState& state);
 /// The place of the mode of that name. Throws SettingError with the nearest name.
 size_t place_of_mode(const DemoState& state, std::string_view name);
 

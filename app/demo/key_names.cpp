@@ -25,7 +25,7 @@ std::string key_text(const Action& action) {
   static constexpr Named names[] = {
       {GLFW_KEY_ENTER, "Enter"}, {GLFW_KEY_SPACE, "Space"},         {GLFW_KEY_TAB, "Tab"},
       {GLFW_KEY_ESCAPE, "Esc"},  {GLFW_KEY_BACKSPACE, "Backspace"}, {GLFW_KEY_F11, "F11"},
-      {GLFW_KEY_F12, "F12"},     {GLFW_KEY_HOME, "Home"},
+      {GLFW_KEY_F12, "F12"},     {GLFW_KEY_HOME, "Home"},           {GLFW_KEY_DELETE, "Delete"},
   };
   std::string name(name_of(action.key, names));
   if (name.empty()) name = char(action.key); // GLFW's other keys are what a US keyboard has on them

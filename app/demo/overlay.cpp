@@ -68,7 +68,7 @@ std::vector<Label> labels_of(const DemoState& state, const ScreenInput& screen,
 }
 
 void draw_labels(const DemoState& state, const PicturePlace& place, std::span<const size_t> shown) {
-  if (shown.size() < 2 && !state.hidden && !state.flicker) return;
+  if (shown.size() < 2 && !state.flicker) return;
   for (const Label& label : labels_of(state, place.screen, shown)) {
     const float width = label.to_the_left ? ImGui::CalcTextSize(label.words.c_str()).x : 0;
     write({float(place.at.x + label.at.x) - width, float(place.at.y + label.at.y)}, label.words);

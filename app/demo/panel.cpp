@@ -6,6 +6,7 @@
 
 #include <imgui.h>
 
+#include "app/demo/demo_scene.h"
 #include "app/demo/pixel_panel.h"
 #include "app/demo/render_scale.h"
 #include "app/demo/setting_widgets.h"
@@ -62,14 +63,26 @@ void draw_mode(DemoState& state, const DemoFacts& facts) {
     ImGui::PopID();
   }
   if (state.arrangement != Arrangement::grid) return;
-  if (state.compared.size() < 3 && ImGui::SmallButton("one more")) compare_one_more(state);
+  if (state.compared.size() < most_compared && ImGui::SmallButton("one more (=)")) compare_one_more(state);
   if (state.compared.size() > 1) {
     ImGui::SameLine();
-    if (ImGui::SmallButton("one less")) state.compared.pop_back();
+    if (ImGui::SmallButton("one less (-)")) compare_one_less(state);
   }
 }
 
-void draw_world(DemoState& state) {
+void draw_scenes(DemoState& state, const std::vector<std::string>& scenes) {
+  ImGui::SetNextItemWidth(-ImGui::CalcTextSize("scene  ").x);
+  if (!ImGui::BeginCombo("scene", short_name(state.scene).c_str())) return;
+  for (const std::string& scene : scenes) {
+    if (ImGui::Selectable(short_name(scene).c_str(), scene == state.scene)) state.requests.scene = scene;
+    if (ImGui::IsItemHovered()) tooltip(scene);
+  }
+  ImGui::TextDisabled("a .glb dropped on the window");
+  ImGui::EndCombo();
+}
+
+void draw_world(DemoState& state, const DemoFacts& facts) {
+  draw_scenes(state, facts.scenes);
   if (const Rig* rig = choose("rig", rigs(), state.rig)) state.rig = rig->name;
   Settings shared = settings_of(state, state.mode);
   if (edit_settings(shared, Settings{}, SettingsPart::shared, state.message)) state.settings = shared;
@@ -81,6 +94,7 @@ void draw_row(DemoState& state) {
   Settings settings = settings_of(state, state.mode);
   if (edit_settings(settings, settings_for_mode(run.name), SettingsPart::per_mode, state.message))
     run.taa = settings.taa;
+  if (is_changed(state) && ImGui::SmallButton("as its row has it (Delete)")) reset_mode(state);
 }
 
 std::string mib(uint64_t bytes) { return fixed(double(bytes) / (1 << 20), 1); }
@@ -116,6 +130,7 @@ void draw_scale(DemoState& state) {
 
 void draw_times(DemoState& state, const DemoFacts& facts) {
   draw_chart("device", facts.gpu_ms);
+  if (facts.rests) ImGui::TextDisabled("nothing moves: the last picture stays");
   draw_scale(state);
   if (!ImGui::BeginTable("passes", 3, ImGuiTableFlags_RowBg)) return;
   ImGui::TableSetupColumn("pass");
@@ -158,10 +173,13 @@ void draw_panel(DemoState& state, const DemoFacts& facts, uint32_t width) {
     draw_mode(state, facts);
     if (ImGui::CollapsingHeader("this pixel", ImGuiTreeNodeFlags_DefaultOpen)) draw_pixel(facts.pixel);
     if (ImGui::CollapsingHeader("how this mode resolves", ImGuiTreeNodeFlags_DefaultOpen)) draw_row(state);
-    if (ImGui::CollapsingHeader("scene, light and view", ImGuiTreeNodeFlags_DefaultOpen)) draw_world(state);
+    if (ImGui::CollapsingHeader("scene, light and view", ImGuiTreeNodeFlags_DefaultOpen))
+      draw_world(state, facts);
     if (ImGui::CollapsingHeader("times", ImGuiTreeNodeFlags_DefaultOpen)) draw_times(state, facts);
     if (ImGui::CollapsingHeader("left out of this frame")) draw_left_out(facts);
     if (ImGui::SmallButton("copy as command line")) state.requests.copy_command = true;
+    ImGui::SameLine();
+    if (ImGui::SmallButton("reset all")) reset_all(state);
   }
   ImGui::End();
 }

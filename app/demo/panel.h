@@ -13,10 +13,12 @@ struct DemoFacts {
   std::string device;
   bool software = false;
   MeasuredFigures measured;
+  std::vector<std::string> scenes;    // that have been shown, our own first
   std::optional<ProbedPixel> pixel;   // the picked one, as soon as it is known
   FrameResult frame;                  // the last one that is known: passes, images, what was left out
   std::deque<float> gpu_ms, frame_ms; // of the last frames: on the device, and from one to the next
   uint32_t picture_width = 0, picture_height = 0; // pixels drawn
+  bool rests = false; // nothing moves, the history has settled, and no frame is drawn
 };
 
 constexpr size_t charted_frames = 120;

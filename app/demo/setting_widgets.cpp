@@ -81,13 +81,14 @@ bool edit_row(const Setting& row, Settings& settings, const Settings& usual, std
   bool taken = edit(row, changed);
   if (!used) ImGui::EndDisabled();
   if (differs) ImGui::PopStyleColor();
-  if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) {
+  const bool hovered = ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled);
+  if (hovered) {
     std::string words = words_of(row, usual);
     if (!used) words += "\nHere it has no effect: " + std::string(row.used.otherwise) + ".";
     if (differs) words += "\nA right click resets it.";
     tooltip(words);
   }
-  if (differs && ImGui::IsItemClicked(ImGuiMouseButton_Right)) {
+  if (differs && hovered && ImGui::IsMouseClicked(ImGuiMouseButton_Right)) {
     row.write(changed, row.read(usual));
     taken = true;
   }

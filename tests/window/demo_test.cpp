@@ -109,10 +109,27 @@ TEST_F(DemoPad, ItsSticksFlyTheCameraAndMoveTheMagnifier) {
   run.press(pad, GLFW_GAMEPAD_BUTTON_LEFT_BUMPER, "magnifier");
   pad.axis(GLFW_GAMEPAD_AXIS_RIGHT_X, 1);
   pad.axis(GLFW_GAMEPAD_AXIS_RIGHT_Y, -1);
-  std::this_thread::sleep_for(Milliseconds(300));
-  const json at = run.press(pad, GLFW_GAMEPAD_BUTTON_RIGHT_BUMPER, "movement")["state"]["magnified"];
-  EXPECT_GT(at[0], 0.55);
-  EXPECT_LT(at[1], 0.45);
+  EXPECT_TRUE(comes_true([&] {
+    const json at = asked(run)["state"]["magnified"];
+    return at[0] > 0.55 && at[1] < 0.45;
+  }));
+  expect_left_in_silence(run);
+}
+
+TEST_F(DemoKeys, WhatRestsIsNotDrawnUntilSomethingChanges) {
+  configure({{"rig", "still"}, {"shown", "gdk-clamp"}});
+  DemoRun run = started();
+  const auto rests = [&] { return asked(run)["rests"] == true; };
+  EXPECT_TRUE(comes_true(rests));
+  const Picture picture = later_picture(run);
+  EXPECT_EQ(difference(later_picture(run), picture), 0);
+  run.press("n", "view");
+  EXPECT_TRUE(comes_to_differ(run, picture, 0.05));
+  EXPECT_TRUE(comes_true(rests));
+  run.press("l", "rig");
+  const Picture moving = later_picture(run);
+  EXPECT_TRUE(comes_to_differ(run, moving, 0.01));
+  EXPECT_FALSE(rests());
   expect_left_in_silence(run);
 }
 
@@ -149,13 +166,13 @@ TEST_F(DemoKeys, NoFrameIsDrawnWhilePausedButWhatIsAskedFor) {
   DemoRun run = started();
   EXPECT_EQ(run.press("period", "one frame")["message"], "one frame: nothing is paused");
   const uint64_t drawn = run.press("p", "pause")["drawn"];
-  std::this_thread::sleep_for(Milliseconds(300));
+  let_frames_pass(run);
   for (uint64_t more = 0; more < 3; ++more) {
     EXPECT_EQ(run.press("period", "one frame")["drawn"], drawn + more);
-    std::this_thread::sleep_for(Milliseconds(300));
+    let_frames_pass(run);
   }
   EXPECT_EQ(run.press("p", "pause")["drawn"], drawn + 3);
-  std::this_thread::sleep_for(Milliseconds(300));
+  let_frames_pass(run);
   EXPECT_GT(run.press("p", "pause")["drawn"], drawn + 3);
   expect_left_in_silence(run);
 }
@@ -167,12 +184,13 @@ TEST_F(DemoKeys, TheMagnifierFollowsTheMouse) {
   run.press("v", "magnifier");
   EXPECT_EQ(run.press("shift+v", "magnifier at the mouse")["state"]["magnifier-follows"], true);
   run.window().move_mouse({80, 135});
-  std::this_thread::sleep_for(Milliseconds(300));
+  EXPECT_TRUE(comes_true([&] {
+    const json at = asked(run)["state"]["magnified"];
+    return std::abs(double(at[0]) - 0.25) < 0.01 && std::abs(double(at[1]) - 0.75) < 0.01;
+  }));
   const json at = run.press("shift+v", "magnifier at the mouse")["state"]["magnified"];
-  EXPECT_NEAR(at[0], 0.25, 0.01);
-  EXPECT_NEAR(at[1], 0.75, 0.01);
   run.window().move_mouse({10, 10});
-  std::this_thread::sleep_for(Milliseconds(300));
+  let_frames_pass(run);
   EXPECT_EQ(run.press("v", "magnifier")["state"]["magnified"], at);
   expect_left_in_silence(run);
 }

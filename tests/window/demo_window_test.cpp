@@ -55,8 +55,7 @@ TEST_F(DemoPictures, NothingMovesOnceItRests) {
 TEST_F(DemoPictures, ADroppedHistoryIsSeenInTheNextFrame) {
   configure({{"rig", "still"}, {"shown", "blend"}});
   DemoRun run = started();
-  while (run.press("Home", "camera")["drawn"] < 60) // until it has gathered one
-    std::this_thread::sleep_for(Milliseconds(100));
+  EXPECT_TRUE(comes_true([&] { return asked(run)["drawn"] >= 60; })) << "it has gathered one";
   run.press("p", "pause");
   const Picture gathered = later_picture(run);
   run.press("period", "one frame");
@@ -232,7 +231,7 @@ TEST_F(DemoWindow, AMinimisedOneComesBack) {
     if (i != 1) {
       EXPECT_TRUE(comes_back(run, before));
     }
-    std::this_thread::sleep_for(Milliseconds(200));
+    let_frames_pass(run);
     EXPECT_GT(run.press("Tab", "movement")["drawn"], drawn);
   }
   expect_left_in_silence(run);

@@ -78,9 +78,14 @@ protected:
   static bool comes_back(const DemoRun& run, const Picture& to) {
     return comes_true([&] { return difference(run.window().picture(), to) == 0; });
   }
-  /// After a while that lets it draw some frames.
-  static Picture later_picture(const DemoRun& run) {
-    std::this_thread::sleep_for(Milliseconds(400));
+  /// What the program tells of its state; where no pixel is picked, the key does nothing else.
+  static nlohmann::json asked(DemoRun& run) { return run.press("i", "pixel"); }
+  /// However long they take: between two answers lies a frame.
+  static void let_frames_pass(DemoRun& run) {
+    for (int answers = 0; answers < 4; ++answers) asked(run);
+  }
+  static Picture later_picture(DemoRun& run) {
+    let_frames_pass(run);
     return run.window().picture();
   }
 

@@ -28,6 +28,13 @@ FrameImages::OfMode draw_mode(FrameGraph& graph, const FrameContext& in,
 
 } // namespace
 
+ImageRef compose(FrameGraph& graph, const ScreenInput& screen, std::span<const ImageRef> displays) {
+  const bool compared = screen.arrangement == Arrangement::flip && displays.size() > 1;
+  const ImageRef error =
+      compared ? flip_error(graph, displays[0], displays[1]) : graph.neutral(VK_FORMAT_R32_SFLOAT);
+  return compose_screen(graph, screen, displays, error);
+}
+
 FrameImages declare_frame(FrameGraph& graph, const std::deque<FrameContext>& contexts,
                           const std::vector<size_t>& geometry_of) {
   FrameImages images;
@@ -44,7 +51,7 @@ FrameImages declare_frame(FrameGraph& graph, const std::deque<FrameContext>& con
   if (const auto& screen = contexts.front().screen) {
     std::vector<ImageRef> displays;
     for (const FrameImages::OfMode& mode : images.modes) displays.push_back(mode.display);
-    images.screen = compose_screen(graph, *screen, displays);
+    images.screen = compose(graph, *screen, displays);
   }
   return images;
 }

@@ -30,6 +30,9 @@ struct FrameImages {
 FrameImages declare_frame(FrameGraph& graph, const std::deque<FrameContext>& contexts,
                           const std::vector<size_t>& geometry_of);
 
+/// What the window shows of the displays: whatever that is made from, and the picture.
+ImageRef compose(FrameGraph& graph, const ScreenInput& screen, std::span<const ImageRef> displays);
+
 /// Counts up when what the shadows of resting things are made from changes.
 struct ShadowVersion {
   std::vector<double> made_from;

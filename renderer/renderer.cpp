@@ -108,7 +108,7 @@ ImageRef Renderer::Parts::compose_again(FrameGraph& graph, const ScreenInput& sc
   std::vector<ImageRef> displays;
   for (size_t mode = 0; mode < kept_displays; ++mode)
     displays.push_back(kept_display(graph, mode, displays_desc).image);
-  return compose_screen(graph, screen, displays);
+  return compose(graph, screen, displays);
 }
 
 Renderer::Renderer(Device& device, const std::filesystem::path& shaders, Scene scene)

@@ -52,7 +52,7 @@ struct PicturePoint {
   glm::dvec2 at{0}; // shares of the picture's size
 };
 /// What lies there below the magnifier, x and y in pixels of the window; nothing on bars and gaps, and
-/// outside. A difference is the first mode's.
+/// outside. A difference or error is the first mode's.
 std::optional<PicturePoint> picture_point(const ScreenInput& screen, size_t modes, double x, double y);
 
 /// A cell's magnifier. It lies across the picture from its region, on the sides of a bar along the bar.

@@ -11,7 +11,7 @@
 layout(local_size_x = WORKGROUP_WIDTH) in;
 
 layout(constant_id = 0) const uint mode = 0;
-layout(constant_id = 1) const bool difference = false;
+layout(constant_id = 1) const uint shows = SCREEN_SHOWS_PICTURE;
 layout(constant_id = 2) const uint scaling = SCREEN_COPIED;
 layout(constant_id = 3) const int columns = 1;
 layout(constant_id = 4) const int rows = 1;
@@ -21,6 +21,7 @@ layout(set = 0, binding = SCREEN_PICTURE_0, rgba8) uniform readonly image2D pict
 layout(set = 0, binding = SCREEN_PICTURE_1, rgba8) uniform readonly image2D picture_1;
 layout(set = 0, binding = SCREEN_PICTURE_2, rgba8) uniform readonly image2D picture_2;
 layout(set = 0, binding = SCREEN_PICTURE_3, rgba8) uniform readonly image2D picture_3;
+layout(set = 0, binding = SCREEN_ERROR, r32f) uniform readonly image2D error_map;
 layout(set = 0, binding = SCREEN_OUT, rgba8) uniform writeonly image2D screen_out;
 layout(push_constant, scalar) uniform Push { ScreenPush push; };
 
@@ -39,7 +40,11 @@ vec3 colour_of(ivec2 texel) {
 /// What is filtered: of a difference, its sign is still there.
 vec3 texel_at(ivec2 at) {
   ivec2 texel = clamp(at, ivec2(0), push.picture_px - 1);
-  return difference ? colour_of(texel) - imageLoad(picture_1, texel).rgb : colour_of(texel);
+  switch (shows) {
+  case SCREEN_SHOWS_DIFFERENCE: return colour_of(texel) - imageLoad(picture_1, texel).rgb;
+  case SCREEN_SHOWS_ERROR: return imageLoad(error_map, texel).rrr;
+  default: return colour_of(texel);
+  }
 }
 
 vec3 magma(float t) {
@@ -51,7 +56,8 @@ vec3 magma(float t) {
 }
 
 vec3 shown(vec3 filtered) {
-  if (!difference) return filtered;
+  if (shows == SCREEN_SHOWS_PICTURE) return filtered;
+  if (shows == SCREEN_SHOWS_ERROR) return magma(clamp(filtered.r, 0, 1));
   vec3 each = abs(filtered);
   return magma(min(max(max(each.r, each.g), each.b) * SCREEN_DIFFERENCE_GAIN, 1));
 }
@@ -91,10 +97,10 @@ void enlarge(ivec2 first, out vec3 colours[R]) {
 /// How much of a texel so far from the middle lies in a box that is `size` texels wide.
 float in_box(float far, float size) { return clamp((size + 1) * 0.5 - far, 0, 1) / size; }
 
-/// Of light, which the square of a colour nearly is; a difference is none.
+/// Of light, which the square of a colour nearly is; differences and errors are none.
 vec3 light_at(ivec2 texel) {
   vec3 colour = texel_at(texel);
-  return difference ? colour : colour * colour;
+  return shows == SCREEN_SHOWS_PICTURE ? colour * colour : colour;
 }
 
 void reduce(ivec2 first, out vec3 colours[R]) {
@@ -110,7 +116,7 @@ void reduce(ivec2 first, out vec3 colours[R]) {
     for (int i = 0; i < R; ++i)
       colours[i] += in_box(abs(at.y + float(i) * step.y - 0.5 - float(texel.y)), size.y) * row;
   }
-  if (!difference)
+  if (shows == SCREEN_SHOWS_PICTURE)
     for (int i = 0; i < R; ++i) colours[i] = sqrt(colours[i]);
 }
 

@@ -55,8 +55,13 @@ void numbers_row() {
 std::vector<Label> labels_of(const DemoState& state, const ScreenInput& screen,
                              std::span<const size_t> shown) {
   const auto name = [&](size_t i) { return state.modes[shown[i]].name; };
+  const auto of_both = [](std::string words) {
+    return std::vector<Label>{{.at = {margin, margin}, .words = std::move(words)}};
+  };
   if (state.arrangement == Arrangement::difference && shown.size() > 1)
-    return {{.at = {margin, margin}, .words = name(0) + " - " + name(1) + ", times 8"}};
+    return of_both(name(0) + " - " + name(1) + ", times 8");
+  if (state.arrangement == Arrangement::flip && shown.size() > 1)
+    return of_both("FLIP of " + name(0) + " and " + name(1));
   std::vector<Label> labels;
   for (const ScreenCell& cell : cells_of(screen, shown.size())) {
     const bool right = state.arrangement == Arrangement::split && cell.mode == 1;

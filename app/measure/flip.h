@@ -7,6 +7,7 @@
 #include <span>
 #include <utility>
 
+#include "renderer/flip_filters.h"
 #include "renderer/frame_input.h"
 
 namespace unghost {
@@ -15,8 +16,8 @@ namespace unghost {
 double pixels_per_degree(double distance_m, double monitor_px, double monitor_m);
 
 struct FlipOptions {
-  double pixels_per_degree = 67.0206432765; // 0.7 m from a monitor of 0.7 m with 3840 pixels
-  unsigned threads = 0;                     // 0: as many as there are cores
+  double pixels_per_degree = usual_pixels_per_degree;
+  unsigned threads = 0; // 0: as many as there are cores
 };
 
 /// How many threads such a number asks for.

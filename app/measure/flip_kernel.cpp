@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstdint>
 
+#include "shaders/shared/flip.h"
+
 // Written once, compiled twice: processors with AVX2 take vectors of eight. Nothing is fused or reordered, so
 // that both give the same bits.
 #define UNGHOST_INLINE inline __attribute__((always_inline))
@@ -42,18 +44,8 @@ UNGHOST_INLINE float power(float x, float p) {
 
 UNGHOST_INLINE float clamped(float x) { return x < 0 ? 0 : (x > 1 ? 1 : x); }
 
-// Linear sRGB and XYZ over the white of D65.
-constexpr float white_x = 0.950428545f, white_z = 1.088900371f;
-constexpr float xr = float(10135552.0 / 24577794 / 0.950428545),
-                xg = float(8788810.0 / 24577794 / 0.950428545),
-                xb = float(4435075.0 / 24577794 / 0.950428545), yr = float(2613072.0 / 12288897),
-                yg = float(8788810.0 / 12288897), yb = float(887015.0 / 12288897),
-                zr = float(1425312.0 / 73733382 / 1.088900371),
-                zg = float(8788810.0 / 73733382 / 1.088900371),
-                zb = float(70074185.0 / 73733382 / 1.088900371);
-
 UNGHOST_INLINE float lab_root(float t) {
-  constexpr float delta = 6.f / 29;
+  constexpr float delta = FLIP_LAB_DELTA;
   const float linear = t / (3 * delta * delta) + 4.f / 29;
   return t > delta * delta * delta ? power(t, 1.f / 3) : linear;
 }
@@ -64,22 +56,24 @@ struct Lab {
 };
 UNGHOST_INLINE Lab hunted(float x, float y, float z) {
   const float fx = lab_root(x), fy = lab_root(y), fz = lab_root(z), l = 116 * fy - 16;
-  return {l, 0.01f * l * (500 * (fx - fy)), 0.01f * l * (200 * (fy - fz))};
+  return {l, FLIP_HUNT * l * (500 * (fx - fy)), FLIP_HUNT * l * (200 * (fy - fz))};
 }
 UNGHOST_INLINE Lab hunted_linear(float r, float g, float b) {
-  return hunted(xr * r + xg * g + xb * b, yr * r + yg * g + yb * b, zr * r + zg * g + zb * b);
+  return hunted(FLIP_X_OF_RED * r + FLIP_X_OF_GREEN * g + FLIP_X_OF_BLUE * b,
+                FLIP_Y_OF_RED * r + FLIP_Y_OF_GREEN * g + FLIP_Y_OF_BLUE * b,
+                FLIP_Z_OF_RED * r + FLIP_Z_OF_GREEN * g + FLIP_Z_OF_BLUE * b);
 }
 /// From filtered opponent colours, which may lie outside of what a screen shows.
 UNGHOST_INLINE Lab hunted_opponent(float yy, float cx, float cz) {
-  const float y = (yy + 16) * (1.f / 116), x = (y + cx * (1.f / 500)) * white_x,
-              z = (y - cz * (1.f / 200)) * white_z;
-  return hunted_linear(clamped(3.241003275f * x - 1.537398934f * y - 0.498615861f * z),
-                       clamped(-0.969224334f * x + 1.875930071f * y + 0.041554224f * z),
-                       clamped(0.055639423f * x - 0.204011202f * y + 1.057148933f * z));
+  const float y = (yy + 16) * (1.f / 116), x = (y + cx * (1.f / 500)) * FLIP_WHITE_X,
+              z = (y - cz * (1.f / 200)) * FLIP_WHITE_Z;
+  return hunted_linear(clamped(FLIP_RED_OF_X * x + FLIP_RED_OF_Y * y + FLIP_RED_OF_Z * z),
+                       clamped(FLIP_GREEN_OF_X * x + FLIP_GREEN_OF_Y * y + FLIP_GREEN_OF_Z * z),
+                       clamped(FLIP_BLUE_OF_X * x + FLIP_BLUE_OF_Y * y + FLIP_BLUE_OF_Z * z));
 }
 UNGHOST_INLINE float distance(Lab p, Lab q) {
   const float l = p.l - q.l, a = p.a - q.a, b = p.b - q.b;
-  return power((l < 0 ? -l : l) + std::sqrt(a * a + b * b), 0.7f);
+  return power((l < 0 ? -l : l) + std::sqrt(a * a + b * b), FLIP_DISTANCE_POWER);
 }
 
 /// So many pixels at a time stay in registers.
@@ -217,15 +211,15 @@ UNGHOST_INLINE void see(const OpponentPlanes& planes, const FlipFilters& f, size
 
 UNGHOST_INLINE void compare(const SeenPicture& r, const SeenPicture& t, size_t first, size_t count,
                             float* __restrict errors) {
-  const float most = distance(hunted_linear(0, 1, 0), hunted_linear(0, 0, 1)), knee = 0.4f * most;
+  const float most = distance(hunted_linear(0, 1, 0), hunted_linear(0, 0, 1)), knee = FLIP_KNEE * most;
   for (size_t x = 0; x < count; ++x) {
     const size_t i = first + x;
     const float far = distance({r.l[i], r.a[i], r.b[i]}, {t.l[i], t.a[i], t.b[i]});
-    const float above = 0.95f + (far - knee) / (most - knee) * 0.05f;
-    const float colour = far < knee ? 0.95f / knee * far : above;
-    const float edge = std::abs(r.edge[i] - t.edge[i]) * (1.f / 116); // of lightness over its range
-    const float point = std::abs(r.point[i] - t.point[i]) * (1.f / 116);
-    const float feature = std::sqrt((edge > point ? edge : point) * 0.707106781f);
+    const float above = FLIP_AT_KNEE + (far - knee) / (most - knee) * FLIP_ABOVE_KNEE;
+    const float colour = far < knee ? FLIP_AT_KNEE / knee * far : above;
+    const float edge = std::abs(r.edge[i] - t.edge[i]) * (1 / FLIP_LIGHTNESS_RANGE);
+    const float point = std::abs(r.point[i] - t.point[i]) * (1 / FLIP_LIGHTNESS_RANGE);
+    const float feature = std::sqrt((edge > point ? edge : point) * FLIP_FEATURE_SHARE);
     errors[x] = power(colour, 1 - feature);
   }
 }
@@ -236,7 +230,9 @@ UNGHOST_INLINE void opponent(const float* __restrict rgb, size_t row, OpponentPl
   float* __restrict cz = &to.planes[2][row * to.stride];
   for (size_t i = 0; i < to.width; ++i) {
     const float r = clamped(rgb[3 * i]), g = clamped(rgb[3 * i + 1]), b = clamped(rgb[3 * i + 2]);
-    const float xn = xr * r + xg * g + xb * b, yn = yr * r + yg * g + yb * b, zn = zr * r + zg * g + zb * b;
+    const float xn = FLIP_X_OF_RED * r + FLIP_X_OF_GREEN * g + FLIP_X_OF_BLUE * b,
+                yn = FLIP_Y_OF_RED * r + FLIP_Y_OF_GREEN * g + FLIP_Y_OF_BLUE * b,
+                zn = FLIP_Z_OF_RED * r + FLIP_Z_OF_GREEN * g + FLIP_Z_OF_BLUE * b;
     yy[i] = 116 * yn - 16, cx[i] = 500 * (xn - yn), cz[i] = 200 * (yn - zn);
   }
 }

@@ -7,20 +7,9 @@
 #include <vector>
 
 #include "app/measure/flip.h"
+#include "renderer/flip_filters.h"
 
 namespace unghost {
-
-/// Half of a filter that is symmetric or antisymmetric: weights 0, 1, ... to one side.
-using HalfFilter = std::vector<float>;
-
-/// All filters of one resolution, in pixels of it. Those of contrast sensitivity are Gaussians; that for blue
-/// and yellow is the sum of two. The feature filters are a Gaussian and its two derivatives.
-struct FlipFilters {
-  explicit FlipFilters(double pixels_per_degree);
-  HalfFilter achromatic, red_green, blue_yellow, blue_yellow_wide;
-  HalfFilter gaussian, edge, point;
-  size_t reach = 0; // of the widest
-};
 
 /// Planes of a picture's rows from `top` on: lightness and two opponent colours, linear (YyCxCz). A row
 /// starts `stride` after the one above it: more than a narrow picture's width, as vectors are read whole.

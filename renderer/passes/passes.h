@@ -114,8 +114,12 @@ struct ViewInputs {
 };
 /// Draws the view that is set over the picture; returns the picture where that is the colour itself.
 ImageRef draw_view(FrameGraph& graph, const FrameContext& in, const ViewInputs& inputs);
+/// LDR-FLIP between two displays of one size, as somebody at the usual monitor sees it: R32F, 0 to 1.
+ImageRef flip_error(FrameGraph& graph, ImageRef reference, ImageRef test);
 /// What the window shows of the modes' displays, all of one size; RGBA8, of the window's size. Returns the
-/// first display where the window shows just that. Displays that are not seen are not read.
-ImageRef compose_screen(FrameGraph& graph, const ScreenInput& screen, std::span<const ImageRef> displays);
+/// first display where the window shows just that. Displays that are not seen are not read. `error`: R32F, of
+/// their size where the window shows it.
+ImageRef compose_screen(FrameGraph& graph, const ScreenInput& screen, std::span<const ImageRef> displays,
+                        ImageRef error);
 
 } // namespace unghost

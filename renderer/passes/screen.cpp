@@ -8,6 +8,17 @@ namespace {
 
 constexpr float bar_grey = 1, gap_grey = 0.06f;
 
+uint32_t what_shows(Arrangement arrangement) {
+  switch (arrangement) {
+  case Arrangement::difference:
+    return SCREEN_SHOWS_DIFFERENCE;
+  case Arrangement::flip:
+    return SCREEN_SHOWS_ERROR;
+  default:
+    return SCREEN_SHOWS_PICTURE;
+  }
+}
+
 struct Scaling {
   uint32_t how = SCREEN_COPIED;
   uint32_t columns = 1, rows = 1; // of the picture, that the pixels of one invocation are made from
@@ -42,11 +53,10 @@ ComputePass draw_cell(const ScreenCell& cell, const ScreenInput& screen, VkExten
                         .beside = screen.arrangement == Arrangement::split ? bar_grey : gap_grey};
   const auto bytes = std::as_bytes(std::span(&push, 1));
   const Scaling scaling = scaling_of(picture, cell.picture);
-  const bool difference = screen.arrangement == Arrangement::difference;
   return {.name = {},
           .shader = "screen.comp",
-          .constants = {uint32_t(cell.mode), uint32_t(difference), scaling.how, scaling.columns, scaling.rows,
-                        uint32_t(lens.has_value())},
+          .constants = {uint32_t(cell.mode), what_shows(screen.arrangement), scaling.how, scaling.columns,
+                        scaling.rows, uint32_t(lens.has_value())},
           .bindings = {},
           .push = {bytes.begin(), bytes.end()},
           .cover = {uint32_t(cell.covered.width), uint32_t(cell.covered.height)},
@@ -55,7 +65,8 @@ ComputePass draw_cell(const ScreenCell& cell, const ScreenInput& screen, VkExten
 
 } // namespace
 
-ImageRef compose_screen(FrameGraph& graph, const ScreenInput& given, std::span<const ImageRef> displays) {
+ImageRef compose_screen(FrameGraph& graph, const ScreenInput& given, std::span<const ImageRef> displays,
+                        ImageRef error) {
   ScreenInput screen = given;
   if (displays.size() == 1) screen.arrangement = Arrangement::single;
   const VkExtent2D picture = graph.desc(displays.front()).extent, size{screen.width, screen.height};
@@ -76,7 +87,8 @@ ImageRef compose_screen(FrameGraph& graph, const ScreenInput& given, std::span<c
               .bindings = {storage_read(SCREEN_PICTURE_0, displays[0]),
                            storage_read(SCREEN_PICTURE_1, seen_or_first(1)),
                            storage_read(SCREEN_PICTURE_2, seen_or_first(2)),
-                           storage_read(SCREEN_PICTURE_3, seen_or_first(3)), storage_write(SCREEN_OUT, out)},
+                           storage_read(SCREEN_PICTURE_3, seen_or_first(3)),
+                           storage_read(SCREEN_ERROR, error), storage_write(SCREEN_OUT, out)},
               .record = [dispatches](PassCommands& commands) {
                 for (const ComputePass& cell : dispatches) commands.dispatch(cell);
               }});

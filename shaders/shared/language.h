@@ -10,6 +10,7 @@
 #define SHARED_BEGIN namespace unghost {
 #define SHARED_END }
 #define SHARED_CONSTANT inline constexpr uint32_t
+#define SHARED_NUMBER inline constexpr float
 namespace unghost {
 using uint = uint32_t;
 using glm::ivec2, glm::uvec2, glm::vec2, glm::vec3, glm::vec4, glm::mat3, glm::mat4, glm::mat3x2, glm::mat4x3;
@@ -18,6 +19,7 @@ using glm::ivec2, glm::uvec2, glm::vec2, glm::vec3, glm::vec4, glm::mat3, glm::m
 #define SHARED_BEGIN
 #define SHARED_END
 #define SHARED_CONSTANT const uint
+#define SHARED_NUMBER const float
 #endif
 
 #endif

@@ -6,9 +6,10 @@
 
 // single: the first mode alone. split: the first to the left of a bar, the second to its right, of the same picture.
 // grid: up to four whole pictures. difference: between the first and the second, the largest of a channel, times
-// SCREEN_DIFFERENCE_GAIN.
+// SCREEN_DIFFERENCE_GAIN. flip: FLIP of the same two, the error that somebody sees who flips between them.
 #define UNGHOST_ARRANGEMENTS(X)                                                                              \
-  X(arrangement, single, 0) X(arrangement, split, 1) X(arrangement, grid, 2) X(arrangement, difference, 3)
+  X(arrangement, single, 0) X(arrangement, split, 1) X(arrangement, grid, 2) X(arrangement, difference, 3) \
+  X(arrangement, flip, 4)
 
 SHARED_BEGIN
 
@@ -16,8 +17,14 @@ SHARED_CONSTANT SCREEN_PICTURE_0 = 0;
 SHARED_CONSTANT SCREEN_PICTURE_1 = 1;
 SHARED_CONSTANT SCREEN_PICTURE_2 = 2;
 SHARED_CONSTANT SCREEN_PICTURE_3 = 3;
-SHARED_CONSTANT SCREEN_OUT = 4;
+SHARED_CONSTANT SCREEN_ERROR = 4;
+SHARED_CONSTANT SCREEN_OUT = 5;
 SHARED_CONSTANT SCREEN_PICTURES = 4;
+
+/// What is seen of the pictures.
+SHARED_CONSTANT SCREEN_SHOWS_PICTURE = 0;
+SHARED_CONSTANT SCREEN_SHOWS_DIFFERENCE = 1;
+SHARED_CONSTANT SCREEN_SHOWS_ERROR = 2;
 
 /// How a picture comes to the size at which it is shown.
 SHARED_CONSTANT SCREEN_COPIED = 0;

@@ -7,6 +7,7 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
+#include "app/demo/overlay.h"
 #include "tests/app/pressed.h"
 
 namespace unghost {
@@ -99,11 +100,28 @@ TEST(DemoModes, AnArrangementSaysHowManyModesAreSeen) {
   const std::pair<Arrangement, size_t> counts[] = {{Arrangement::single, 1},
                                                    {Arrangement::split, 2},
                                                    {Arrangement::grid, 4},
-                                                   {Arrangement::difference, 2}};
+                                                   {Arrangement::difference, 2},
+                                                   {Arrangement::flip, 2}};
   for (const auto& [arrangement, count] : counts) {
     state.arrangement = arrangement;
     EXPECT_EQ(modes_seen(state).size(), count);
   }
+}
+
+TEST(DemoModes, WhatIsMadeOfTwoIsLabelledOnceWithBoth) {
+  const DemoState usual = default_demo_state();
+  const std::vector<size_t> seen{place_of_mode(usual, "blend"), place_of_mode(usual, "grand-tour")};
+  const auto words = [&](Arrangement arrangement, std::span<const size_t> shown) {
+    DemoState state = usual;
+    state.arrangement = arrangement;
+    std::vector<std::string> all;
+    for (const Label& label : labels_of(state, {.arrangement = arrangement}, shown))
+      all.push_back(label.words);
+    return all;
+  };
+  EXPECT_EQ(words(Arrangement::flip, seen), std::vector<std::string>{"FLIP of blend and grand-tour"});
+  EXPECT_EQ(words(Arrangement::difference, seen), std::vector<std::string>{"blend - grand-tour, times 8"});
+  EXPECT_EQ(words(Arrangement::flip, std::span(seen).first(1)), std::vector<std::string>{"blend"});
 }
 
 TEST(DemoModes, TheHistoryOfWhatIsComparedCanBeDropped) {

@@ -86,6 +86,23 @@ Picture half(const Picture& picture, bool right) {
   return part;
 }
 
+TEST_F(DemoPictures, AHeatViewIsInMagmaAndBrightWhereModesDiffer) {
+  configure({{"arrangement", "flip"}, {"shown", "blend"}, {"compared", {"off"}}});
+  DemoRun run = started();
+  const auto count = [](const Picture& picture, auto holds) {
+    int pixels = 0;
+    for (int y = 40; y < picture.size.height - 40; ++y) // between what is written
+      for (int x = 0; x < picture.size.width; ++x) pixels += holds(picture.at({x, y}));
+    return pixels;
+  };
+  const auto bright = [](const auto& rgb) { return rgb[0] > 150; };
+  const auto unlike_magma = [](const auto& rgb) { return rgb[1] > std::max(rgb[0], rgb[2]) + 1; };
+  EXPECT_TRUE(comes_true([&] { return count(run.window().picture(), bright) > 300; }));
+  EXPECT_EQ(count(later_picture(run), unlike_magma), 0);
+  EXPECT_TRUE(has_label(later_picture(run), 0, 160));
+  expect_left_in_silence(run);
+}
+
 TEST_F(DemoPictures, ASplitShowsBothHalvesAndTheirNames) {
   DemoRun run = started();
   const Picture single = later_picture(run);

@@ -1,8 +1,8 @@
+#include "renderer/flip_filters.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-
-#include "app/measure/flip_kernel.h"
 
 namespace unghost {
 namespace {

@@ -68,6 +68,7 @@ Demo::Demo(const CommandLine& line, Console& console)
   facts_.device = device_.facts().name;
   facts_.software = device_.facts().software;
   facts_.measured = measured_figures(find_data_folders().assets / "report" / "full.json");
+  if (line.watch) watch_shader_sources();
   show_scene(load_demo_scene(device_, state_));
 }
 
@@ -197,7 +198,7 @@ void Demo::describe() {
   draw_labels(state_, where, shown());
   if (!state_.hidden && drawn_ > 0)
     draw_marker(state_, where, shown().size(), {facts_.picture_width, facts_.picture_height});
-  if (!state_.hidden) draw_message(message_, where);
+  if (!state_.hidden) draw_message(message_.empty() ? lasting_message() : message_, where);
   if (state_.keys && !state_.hidden) draw_keys(state_, where);
   gui_.end_frame();
 }

@@ -114,10 +114,11 @@ void add_options(CLI::App& app, const CommandRow& row, CommandLine& line) {
     app.add_flag("--alone,!--no-alone", line.alone,
                  "Also draw each mode in frames of its own: what sharing the geometry saves");
   if (row.options & watched)
-    app.add_flag("--watch,!--no-watch", line.watch,
-                 "Load the scene again when its files change, and the shaders when `ninja -C build shaders` "
-                 "has compiled them (what they share with C++ wants the whole program built); what is broken "
-                 "is told, and the old goes on");
+    app.add_flag(
+        "--watch,!--no-watch", line.watch,
+        "Load the scene again when its files change, and compile the shaders again when their sources "
+        "do, where the program was built (what they share with C++ wants the whole program built); "
+        "what is broken is told, and the old goes on");
   if (row.options & axis_search) {
     app.add_option("--faces", line.faces, "Of the polytope, two an axis (default 16)")
         ->check(CLI::Range(4u, 64u));

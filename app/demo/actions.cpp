@@ -248,7 +248,7 @@ std::vector<Action> rows_beyond_it() {
     {"mode", GLFW_KEY_LEFT_BRACKET, false, no_button, "Previous mode", show_neighbour<-1>, says_nothing, shown_name},
     {"mode", GLFW_KEY_RIGHT_BRACKET, false, no_button, "Next mode", show_neighbour<1>, says_nothing, shown_name},
     {"comparison", GLFW_KEY_B, false, no_button, "Compare two modes, or see one", switch_comparison, says_nothing, comparison_present},
-    {"arrangement", GLFW_KEY_B, true, no_button, "Next way to compare: by a bar, in a grid, by what differs", show_next_arrangement, says_nothing, comparison_present},
+    {"arrangement", GLFW_KEY_B, true, no_button, "Next way to compare: bar, grid, difference, FLIP", show_next_arrangement, says_nothing, comparison_present},
     {"compared", GLFW_KEY_EQUAL, false, no_button, "One mode more in a grid", compare_one_more, no_room_for_one_more, compared_present},
     {"compared", GLFW_KEY_MINUS, false, no_button, "One mode less in a grid", compare_one_less, no_one_less, compared_present},
     {"settings", GLFW_KEY_DELETE, false, no_button, "The mode as its row of the table has it", reset_mode, as_its_row, shown_name},

@@ -69,6 +69,7 @@ Demo::Demo(const CommandLine& line, Console& console)
   facts_.software = device_.facts().software;
   facts_.measured = measured_figures(find_data_folders().assets / "report" / "full.json");
   facts_.scenes = {own_scene};
+  if (line.watch) watch_shader_sources();
   show_scene(load_demo_scene(device_, state_));
 }
 
@@ -199,7 +200,7 @@ void Demo::describe() {
   draw_labels(state_, where, shown());
   if (!state_.hidden && drawn_ > 0)
     draw_marker(state_, where, shown().size(), {facts_.picture_width, facts_.picture_height});
-  if (!state_.hidden) draw_message(message_, where);
+  if (!state_.hidden) draw_message(message_.empty() ? lasting_message() : message_, where);
   if (state_.keys && !state_.hidden) draw_keys(state_, where);
   gui_.end_frame();
 }

@@ -9,6 +9,7 @@
 #include "app/demo/gui.h"
 #include "app/demo/overlay.h"
 #include "app/demo/panel.h"
+#include "app/demo/shader_build.h"
 #include "app/demo/window.h"
 #include "app/pass_times.h"
 #include "renderer/stillness.h"
@@ -36,7 +37,11 @@ private:
   void load_asked_scene();
   void look_for_stage();
   void look_for_changes(); // of files
-  void react();            // to keys, buttons and mouse
+  void watch_shader_sources();
+  void compile_shaders();
+  bool compiling() const;
+  std::string lasting_message() const; // of what is not over yet
+  void react();                        // to keys, buttons and mouse
   void steer(const WindowEvents& events, const WindowHeld& held);
   void drag(const WindowEvents& events, const WindowHeld& held, CameraInput& input);
   void move_magnifier(const WindowHeld& held, double seconds);
@@ -69,6 +74,7 @@ private:
   std::optional<Stillness> stillness_; // of the renderer's scene
   std::optional<AskedScene> asked_scene_;
   FileWatch scene_files_, shader_files_;
+  std::optional<ShaderBuild> shader_build_; // with --watch, and where they were built
   DemoFacts facts_;
   std::optional<ProbeInput> probed_; // of the frame that rests
   PassTimes times_;

@@ -28,6 +28,7 @@ void Demo::ask_for_scene(const std::string& scene, const char* event) {
 
 void Demo::load_asked_scene() {
   if (!asked_scene_ || !std::exchange(asked_scene_->announced, true)) return;
+  if (compiling()) return; // half of what that writes is no set of shaders
   const AskedScene asked = *std::exchange(asked_scene_, std::nullopt);
   DemoState wanted = state_;
   wanted.scene = asked.scene;
@@ -54,11 +55,34 @@ void Demo::look_for_stage() {
   ask_for_scene(state_.scene, "stage");
 }
 
+void Demo::watch_shader_sources() {
+  if (const auto tree = ShaderBuild::tree_of(find_data_folders().shaders))
+    shader_build_.emplace(*tree);
+  else if (!console_.quiet)
+    console_.err << "--watch: the program is not where it was built, and watches compiled shaders only\n";
+}
+
+bool Demo::compiling() const { return shader_build_ && shader_build_->running(); }
+
+void Demo::compile_shaders() {
+  const auto result = shader_build_ ? shader_build_->look(Clock::now()) : std::nullopt;
+  if (!result) return;
+  state_.message = result->fault.empty() ? "the shaders compile again" : result->fault;
+  if (!result->fault.empty() && !console_.quiet) console_.err << result->talk << std::flush;
+  say_event("watch", "shader sources");
+}
+
+std::string Demo::lasting_message() const {
+  if (compiling()) return "compiling shaders";
+  return shader_build_ ? shader_build_->fault() : "";
+}
+
 void Demo::look_for_changes() {
   look_for_stage();
+  compile_shaders();
   if (!line_.watch || asked_scene_) return;
   if (scene_files_.changed(Clock::now())) ask_for_scene(state_.scene, "watch");
-  if (!shader_files_.changed(Clock::now())) return;
+  if (compiling() || !shader_files_.changed(Clock::now())) return;
   const auto fault = fault_of([&] {
     renderer_->reload_shaders();
     last_.reset();

@@ -1,5 +1,7 @@
 #include "app/demo/overlay.h"
 
+#include <algorithm>
+
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 #include <imgui.h>
@@ -13,13 +15,18 @@ constexpr float margin = 8, padding = 4;
 constexpr ImU32 paper = IM_COL32(0, 0, 0, 170), dark = IM_COL32(0, 0, 0, 255),
                 picked_ink = IM_COL32(255, 210, 60, 255), ink = IM_COL32(255, 255, 255, 255);
 
+/// Of words in lines of at most that width; 0: in one.
+ImVec2 size_of(const std::string& words, float width) {
+  return ImGui::CalcTextSize(words.c_str(), nullptr, false, width);
+}
+
 /// Words on a dark ground, so that they read on any picture.
-void write(ImVec2 at, const std::string& words) {
+void write(ImVec2 at, const std::string& words, float width = 0) {
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
-  const ImVec2 size = ImGui::CalcTextSize(words.c_str());
+  const ImVec2 size = size_of(words, width);
   list.AddRectFilled({at.x - padding, at.y - padding}, {at.x + size.x + padding, at.y + size.y + padding},
                      paper, 2);
-  list.AddText(at, ink, words.c_str());
+  list.AddText(ImGui::GetFont(), ImGui::GetFontSize(), at, ink, words.c_str(), nullptr, width);
 }
 
 bool is_digit(const Action& action) { return action.key >= GLFW_KEY_0 && action.key <= GLFW_KEY_9; }
@@ -100,10 +107,11 @@ void draw_marker(const DemoState& state, const PicturePlace& place, size_t modes
 
 void draw_message(const std::string& message, const PicturePlace& place) {
   if (message.empty()) return;
-  const ImVec2 size = ImGui::CalcTextSize(message.c_str());
+  const float width = std::max(float(place.screen.width) - 4 * margin, 1.0f);
+  const ImVec2 size = size_of(message, width);
   write({float(place.at.x + place.screen.width / 2.0) - size.x / 2,
          float(place.at.y + place.screen.height) - size.y - 3 * margin},
-        message);
+        message, width);
 }
 
 void draw_keys(const DemoState& state, const PicturePlace& place) {

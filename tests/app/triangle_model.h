@@ -1,6 +1,8 @@
 // The smallest model there is.
 #pragma once
 
+#include <cstdint>
+#include <string>
 #include <vector>
 
 #include <nlohmann/json.hpp>
@@ -27,6 +29,15 @@ inline nlohmann::json model(std::vector<float> scale, std::vector<float> transla
              {"type", "VEC3"},
              {"min", {0, 0, 0}},
              {"max", {1, 1, 1}}}}}};
+}
+
+/// As a .glb holds it, without a chunk of bytes.
+inline std::string glb(const nlohmann::json& document) {
+  std::string json = document.dump();
+  json.resize((json.size() + 3) / 4 * 4, ' ');
+  const auto length = uint32_t(json.size());
+  const uint32_t head[] = {0x46546c67, 2, 20 + length, length, 0x4e4f534a};
+  return std::string(reinterpret_cast<const char*>(head), sizeof(head)) + json;
 }
 
 } // namespace unghost

@@ -14,7 +14,7 @@ namespace unghost {
 namespace {
 
 /// How far a pixel's error, and the mean of them, may be from the processor's: half a step of what is shown.
-/// Most are a hundred times nearer; where colours barely differ beside an edge, that is a root of rounding.
+/// Where colours barely differ beside an edge, an error is a root of what rounding leaves.
 constexpr double pixel_tolerance = 0.5 / 255, mean_tolerance = 1e-4;
 
 Image picture_of_size(glm::ivec2 size) {

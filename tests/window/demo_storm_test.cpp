@@ -1,4 +1,5 @@
 // Much that a person could do to the real demo, at random.
+#include "tests/app/triangle_model.h"
 #include "tests/window/driven_demo.h"
 
 #include <random>
@@ -13,7 +14,8 @@ class DemoStorm : public DrivenDemo {};
 /// What a person could do, chosen by a number; the same for the same seed.
 class Storm {
 public:
-  Storm(const DeskWindow& window, uint32_t seed) : window_(window), random_(seed) {}
+  Storm(const DeskWindow& window, std::vector<std::filesystem::path> files, uint32_t seed)
+      : window_(window), files_(std::move(files)), random_(seed) {}
 
   void one() {
     switch (below(12)) {
@@ -40,6 +42,10 @@ public:
     case 6:
       window_.press(std::to_string(below(10)));
       break;
+    case 7:
+      if (!minimised_)
+        window_.drop({files_[size_t(below(int(files_.size())))]}); // else there is nothing to see
+      break;
     default:
       window_.press(keys[size_t(below(int(keys.size())))]);
     }
@@ -62,6 +68,7 @@ private:
   Spot spot() { return {below(200), below(120)}; }
 
   const DeskWindow& window_;
+  const std::vector<std::filesystem::path> files_;
   std::mt19937 random_;
   bool minimised_ = false;
 };
@@ -73,16 +80,24 @@ TEST_F(DemoStorm, FiveHundredThingsDoneToItLeaveItSilentAndClean) {
   desk.emplace(Size{400, 300}); // where it fills the screen, too, it draws fast
   configure({});
   DemoRun run = started({200, 120});
-  Storm storm(run.window(), seed);
-  size_t events = 0;
+  const std::string scene = glb(model({4, 3, 5}, {0, 0, 0}));
+  Storm storm(run.window(),
+              {folder.file("scene.glb", scene), folder.file("half.glb", scene.substr(0, scene.size() / 2)),
+               folder.path / "gone.glb"},
+              seed);
+  size_t events = 0, drops = 0;
   for (int i = 0; i < operations; ++i) {
     SCOPED_TRACE("operation " + std::to_string(i));
     storm.one();
-    while (run.next_event(Milliseconds(0))) ++events; // or it would wait until somebody reads
+    while (const auto event = run.next_event(Milliseconds(0))) { // or it would wait until somebody reads
+      ++events;
+      drops += event->value("event", "") == "drop";
+    }
   }
   storm.calm();
   while (run.next_event(Milliseconds(1500))) ++events; // what a slow one has not answered yet
   EXPECT_GT(events, 100u);                             // a minimised window has no keys
+  EXPECT_GT(drops, 5u);
   const json calm = run.press("Tab", "movement");
   EXPECT_GT(calm["drawn"], 1); // how many more depends on the machine
   expect_left_in_silence(run);

@@ -1,55 +1,21 @@
 // The demo with --watch: files that change under it.
-#include <thread>
-
-#include <gtest/gtest.h>
-
-#include "tests/app/own_copy.h"
-#include "tests/window/demo_run.h"
+#include "tests/window/watched_demo.h"
 
 namespace unghost {
 namespace {
 
 namespace fs = std::filesystem;
 
-class DemoWatch : public testing::Test {
+class DemoWatch : public WatchedDemo {
 protected:
   void SetUp() override {
-    if (const std::string sentence = Desk::missing(); !sentence.empty()) GTEST_SKIP() << sentence;
-    desk.emplace(Size{640, 480});
-    fs::copy(folder_of_this_program() / "shaders", shaders);
-    program = copy_program(folder.path);
-    fs::copy_file(folder.path / "assets" / "asphalt.glb", scene);
+    WatchedDemo::SetUp();
+    if (!IsSkipped()) fs::copy(folder_of_this_program() / "shaders", shaders);
   }
-
-  Words words() const {
-    return {program.string(), "demo",    scene.string(), "--watch", "--json",
-            "--size",         "320x180", "--mode",       "blend"};
-  }
-  /// As editors do it: another file takes its place.
-  void replace(const fs::path& file, const std::string& content) const {
-    fs::rename(folder.file("new", content), file);
-  }
-  /// Nothing moves, and nothing is written over it.
-  static void stand_still(DemoRun& run) {
-    run.press("u", "only the picture");
-    run.press("p", "pause");
-  }
-  static Picture resting(const DemoRun& run) {
-    for (Picture last = run.window().picture();;) {
-      std::this_thread::sleep_for(Milliseconds(400));
-      Picture now = run.window().picture();
-      if (now.pixels == last.pixels) return now;
-      last = std::move(now);
-    }
-  }
-
-  ScratchFolder folder;
-  fs::path program, shaders = folder.path / "shaders", scene = folder.path / "scene.glb";
-  std::optional<Desk> desk;
 };
 
 TEST_F(DemoWatch, ABrokenSceneIsToldAndTheOldOneStays) {
-  DemoRun run(*desk, words());
+  DemoRun run(*desk, watching("blend", "drive"));
   stand_still(run);
   const Picture before = resting(run);
   const std::string whole = content_of(scene);
@@ -66,7 +32,7 @@ TEST_F(DemoWatch, ABrokenSceneIsToldAndTheOldOneStays) {
 }
 
 TEST_F(DemoWatch, ADamagedShaderIsToldAndTheOldOnesDraw) {
-  DemoRun run(*desk, words());
+  DemoRun run(*desk, watching("blend", "drive"));
   stand_still(run);
   const Picture before = resting(run);
   const fs::path sums = shaders / "sums.txt", shader = shaders / "tonemap.comp.spv";
@@ -82,6 +48,13 @@ TEST_F(DemoWatch, ADamagedShaderIsToldAndTheOldOnesDraw) {
   EXPECT_EQ(run.expect_event("shaders")["message"], "other shaders");
   run.press("p", "pause");
   EXPECT_EQ(run.leave(), 0) << run.talk();
+}
+
+TEST_F(DemoWatch, AProgramThatWasCopiedWatchesCompiledShadersAndSaysSo) {
+  DemoRun run(*desk, watching("blend", "drive"));
+  EXPECT_EQ(run.leave(), 0);
+  EXPECT_EQ(run.talk(),
+            "--watch: the program is not where it was built, and watches compiled shaders only\n");
 }
 
 } // namespace

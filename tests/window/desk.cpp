@@ -4,6 +4,7 @@
 #include <stdexcept>
 #include <thread>
 
+#include "tests/window/file_drop.h"
 #include "tests/window/window_manager.h"
 
 namespace unghost {
@@ -110,6 +111,10 @@ void DeskWindow::drag(Spot from, Spot to, Milliseconds pause) const {
 
 void DeskWindow::scroll(int notches) const {
   mouse({"click", "--repeat", std::to_string(std::abs(notches)), "--delay", "20", notches > 0 ? "4" : "5"});
+}
+
+void DeskWindow::drop(const std::vector<std::filesystem::path>& files) const {
+  drop_files(desk_->display(), std::stoul(id_), files);
 }
 
 void DeskWindow::resize(Size size) const {

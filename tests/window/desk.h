@@ -63,6 +63,9 @@ public:
   /// Away from the user where positive.
   void scroll(int notches) const;
 
+  /// As a file manager does it, onto the middle; the program has taken them when it returns.
+  void drop(const std::vector<std::filesystem::path>& files) const;
+
   void resize(Size size) const;
   /// As a window manager does it: the window is iconic, and is not shown.
   void minimise() const;

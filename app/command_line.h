@@ -21,6 +21,8 @@ constexpr uint32_t most_frames = 1'000'000, longest_side = 16384;
 
 struct PictureSize {
   uint32_t width = FrameInput{}.width, height = FrameInput{}.height;
+
+  bool operator==(const PictureSize&) const = default;
 };
 
 /// What `flip` is told.
@@ -70,7 +72,7 @@ struct CommandLine {
   std::optional<std::string> scene, mode, rig, view;
   std::vector<std::string> modes;
   std::vector<std::string> assignments; // `name=value`, in order; --view as the last
-  std::filesystem::path settings;
+  std::filesystem::path settings, replay;
   std::optional<PictureSize> size;
   std::optional<uint32_t> frames, from, faces, rounds;
   std::optional<uint64_t> seed;

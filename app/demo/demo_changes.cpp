@@ -36,15 +36,16 @@ void Demo::load_asked_scene() {
     show_scene(std::move(loaded));
     const std::vector<std::string>& warnings = renderer_->scene().warnings;
     state_.message = short_name(state_.scene) + (warnings.empty() ? "" : ": " + warnings.front());
+    leave_path("another scene");
   }
   say_event(asked.event, "scene");
 }
 
 /// What stands around the model, and how large it is, is part of the scene; its speed is not.
 void Demo::look_for_stage() {
-  StageSettings wanted = state_.settings.stage;
-  wanted.speed = built_stage_.speed;
-  if (wanted == built_stage_ || asked_scene_ || window_.held().left) return; // a slider is let go first
+  const StageSettings& wanted = state_.settings.stage;
+  if (same_stage(wanted, built_stage_) || asked_scene_ || window_.held().left)
+    return; // a slider is let go first
   built_stage_ = wanted;
   ask_for_scene(state_.scene, "stage");
 }
@@ -59,6 +60,7 @@ void Demo::look_for_changes() {
     last_.reset();
   });
   state_.message = fault.value_or("other shaders");
+  if (!fault) leave_path("other shaders");
   say_event("watch", "shaders");
 }
 

@@ -52,6 +52,32 @@ void compare_one_more(DemoState& state) {
       return state.compared.push_back(mode);
 }
 
+void keep_bookmark(DemoState& state) {
+  state.bookmark = state.bookmarks.size();
+  state.bookmarks.push_back({.rig = state.rig, .rig_frame = state.rig_frame_shown, .camera = state.camera});
+}
+
+void go_to_bookmark(DemoState& state, size_t place) {
+  state.rig = state.bookmarks[place].rig;
+  state.rig_frame = state.bookmarks[place].rig_frame;
+  look_as_bookmark(state, place);
+}
+
+void look_as_bookmark(DemoState& state, size_t place) {
+  state.camera = state.bookmarks[place].camera;
+  state.bookmark = place;
+  state.requests.drop_history = true;
+  state.requests.step = true; // it is seen while paused, too
+}
+
+void forget_bookmark(DemoState& state, size_t place) {
+  state.bookmarks.erase(state.bookmarks.begin() + ptrdiff_t(place));
+  if (state.bookmark == place)
+    state.bookmark.reset();
+  else if (state.bookmark && *state.bookmark > place)
+    --*state.bookmark;
+}
+
 size_t place_of_mode(const DemoState& state, std::string_view name) {
   const auto found = std::ranges::find(state.modes, name, &ModeRun::name);
   if (found == state.modes.end()) {

@@ -11,15 +11,16 @@ namespace {
 
 constexpr float margin = 8, padding = 4;
 constexpr ImU32 paper = IM_COL32(0, 0, 0, 170), dark = IM_COL32(0, 0, 0, 255),
-                picked_ink = IM_COL32(255, 210, 60, 255), ink = IM_COL32(255, 255, 255, 255);
+                recording_ink = IM_COL32(255, 80, 70, 255), picked_ink = IM_COL32(255, 210, 60, 255),
+                ink = IM_COL32(255, 255, 255, 255);
 
 /// Words on a dark ground, so that they read on any picture.
-void write(ImVec2 at, const std::string& words) {
+void write(ImVec2 at, const std::string& words, ImU32 colour = ink) {
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
   const ImVec2 size = ImGui::CalcTextSize(words.c_str());
   list.AddRectFilled({at.x - padding, at.y - padding}, {at.x + size.x + padding, at.y + size.y + padding},
                      paper, 2);
-  list.AddText(at, ink, words.c_str());
+  list.AddText(at, colour, words.c_str());
 }
 
 bool is_digit(const Action& action) { return action.key >= GLFW_KEY_0 && action.key <= GLFW_KEY_9; }
@@ -99,6 +100,14 @@ void draw_message(const std::string& message, const PicturePlace& place) {
   write({float(place.at.x + place.screen.width / 2.0) - size.x / 2,
          float(place.at.y + place.screen.height) - size.y - 3 * margin},
         message);
+}
+
+void draw_path_notice(const DemoState& state, const PicturePlace& place) {
+  const ImVec2 below_labels{float(place.at.x) + margin,
+                            float(place.at.y) + 2 * margin + padding + ImGui::GetTextLineHeight()};
+  if (state.recorded)
+    write(below_labels, "recording, " + std::to_string(*state.recorded) + " frames", recording_ink);
+  if (state.replayed) write(below_labels, "replay, " + std::to_string(*state.replayed) + " frames");
 }
 
 void draw_keys(const DemoState& state, const PicturePlace& place) {

@@ -19,6 +19,8 @@ using nlohmann::json;
 constexpr const char* format_name = "unghost path";
 constexpr uint64_t format_version = 1;
 constexpr size_t most_shown = 4;
+// What this program writes takes more bytes for each.
+constexpr size_t most_commas = recording_limit / 4, most_brackets = recording_limit / 16;
 constexpr size_t room_for_a_frame = 64 << 10; // bytes; all settings of all modes are some 20,000
 
 uint64_t after(const std::optional<uint64_t>& count) { return count ? *count + 1 : 0; }
@@ -163,6 +165,15 @@ void read_head(Recording& recording, const json& object) {
   within("seed", [&] { recording.seed = count_of(object["seed"], UINT64_MAX); });
 }
 
+/// Small values of a large file would take many times its size.
+json parsed(const std::string& text) {
+  size_t commas = 0, brackets = 0;
+  for (const char c : text) commas += c == ',', brackets += c == '{' || c == '[';
+  if (commas > most_commas || brackets > most_brackets)
+    throw SettingError("it holds more than a recording can");
+  return json::parse(text);
+}
+
 } // namespace
 
 Recorder::Recorder(const std::string& scene, uint64_t seed) : look_(usual_look()) {
@@ -194,7 +205,7 @@ void Recorder::add(const Moment& moment, const Look& look) {
 std::string Recorder::text() const { return head_ + ",\"frames\":[" + lines_ + "\n]}\n"; }
 
 Recording recording_from_text(const std::string& text) {
-  const json object = json::parse(text);
+  const json object = parsed(text);
   if (!object.is_object() || object.value("format", json()) != format_name)
     throw SettingError("it is no recording: its format is not '" + std::string(format_name) + "'");
   Recording recording;

@@ -291,6 +291,12 @@ TEST(DemoRecordingFile, DamageIsRefusedAndNeverMore) {
   }
 }
 
+std::string repeated(const std::string& piece, size_t times) {
+  std::string text;
+  while (times-- > 0) text += piece;
+  return text;
+}
+
 TEST(DemoRecordingFile, AFileThatIsNoneIsRefused) {
   const ScratchFolder folder;
   mkfifo((folder.path / "pipe").c_str(), 0600);
@@ -299,6 +305,9 @@ TEST(DemoRecordingFile, AFileThatIsNoneIsRefused) {
       {folder.file("infinite", R"({"format": "unghost path", "seed": 1e999})"), "is no JSON"},
       {folder.file("nested", std::string(200'000, '[')), "is no JSON"},
       {folder.file("closed", std::string(200'000, '[') + std::string(200'000, ']')), "it is no recording"},
+      {folder.file("values", "[0" + repeated(",0", 7'000'000) + "]"), "it holds more than a recording can"},
+      {folder.file("objects", "[{}" + repeated(",{}", 5'000'000) + "]"),
+       "it holds more than a recording can"},
       {folder.file("large", std::string(recording_limit + 1, ' ')), "more than 16777216 bytes"},
       {folder.path / "pipe", "no regular file"},
       {folder.path, "no regular file"},

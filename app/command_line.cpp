@@ -88,6 +88,11 @@ void add_flip(CLI::App& app, FlipWords& flip) {
 void add_options(CLI::App& app, const CommandRow& row, CommandLine& line) {
   if (row.options & drawing) add_drawing(app, line, (row.options & rounds_only) == 0);
   if (row.options & device) add_device(app, line);
+  if (row.options & replayed)
+    app.add_option("--replay", line.replay,
+                   "A path that the demo recorded: scene, settings, sizes and modes are its own; of modes, "
+                   "others can be named")
+        ->check(no_option);
   if (row.options & one_mode)
     app.add_option("--mode", line.mode, "Which temporal resolve (default grand-tour)");
   if (row.options & many_modes)

@@ -22,6 +22,8 @@ constexpr uint32_t explain_rounds = 5; // some 40 s of the asphalt at 1280x720 o
 
 struct PictureSize {
   uint32_t width = FrameInput{}.width, height = FrameInput{}.height;
+
+  bool operator==(const PictureSize&) const = default;
 };
 
 /// What `flip` is told.
@@ -71,7 +73,7 @@ struct CommandLine {
   std::optional<std::string> scene, mode, rig, view;
   std::vector<std::string> modes;
   std::vector<std::string> assignments; // `name=value`, in order; --view as the last
-  std::filesystem::path settings;
+  std::filesystem::path settings, replay;
   std::optional<PictureSize> size;
   std::optional<uint32_t> frames, from, faces, rounds;
   std::optional<uint64_t> seed;

@@ -5,11 +5,11 @@ namespace unghost {
 std::span<const CommandRow> commands() {
   static constexpr CommandRow rows[] = {
       {"demo", "Open a window in which the car drives, and switch every resolve",
-       drawing | one_mode | watched, demo},
-      {"capture", "Render without a window and write a picture", drawing | one_mode | picture | frames_out,
-       capture},
+       drawing | one_mode | watched | replayed, demo},
+      {"capture", "Render without a window and write a picture",
+       drawing | one_mode | picture | frames_out | replayed, capture},
       {"compare", "Draw modes beside one another, from the same frames",
-       drawing | many_modes | picture | crops, compare},
+       drawing | many_modes | picture | crops | replayed, compare},
       {"measure", "Say in figures how much each mode ghosts, shimmers, errs and costs",
        drawing | many_modes | figures | figures_out, measure},
       {"report", "Measure everything there is and write one page of it",

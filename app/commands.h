@@ -42,6 +42,7 @@ enum CommandOptions : unsigned {
   endurance = 1u << 17, // which cases of stability, and for how long
   anatomy = 1u << 18,   // of one frame
   watched = 1u << 19,   // files may change meanwhile
+  replayed = 1u << 20,  // frames that the demo recorded
 };
 
 struct CommandRow {

@@ -138,6 +138,14 @@ void NewFile::commit() {
   passing_name_.clear();
 }
 
+std::filesystem::path free_name(const std::string& name, const std::string& extension) {
+  std::error_code ignored;
+  for (uint32_t number = 1;; ++number) {
+    std::filesystem::path file = name + "-" + std::to_string(number) + extension;
+    if (!std::filesystem::exists(file, ignored)) return file;
+  }
+}
+
 void write_file(const fs::path& path, std::span<const uint8_t> bytes) {
   NewFile file(path);
   file.write(bytes);

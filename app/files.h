@@ -32,6 +32,8 @@ private:
   bool nameless_ = false;
 };
 
+/// NAME-1.EXTENSION, or the first after it that is not there.
+std::filesystem::path free_name(const std::string& name, const std::string& extension);
 void write_file(const std::filesystem::path& path, std::span<const uint8_t> bytes);
 std::span<const uint8_t> bytes_of(const std::string& text);
 /// Throws Failure(failed) where a file of some size could not be written there now.

@@ -22,18 +22,13 @@ constexpr bool debug_build = true;
 
 FrameInput frame_input(const Shot& shot, const RigContext& context, std::span<const ModeRun> modes,
                        uint32_t index) {
-  const Rig& rig = *find_rig(shot.rig);
-  const auto at = [&](uint32_t frame) { return rig.at(context, frame * seconds_per_frame); };
-  FrameInput input;
-  input.now = at(index);
-  input.before = at(index == 0 ? 0 : index - 1);
-  input.index = index;
-  input.cut = index == 0;
-  input.width = shot.size.width;
-  input.height = shot.size.height;
-  input.settings = shot.settings;
-  input.modes.assign(modes.begin(), modes.end());
-  return input;
+  if (shot.replay) return frame_input(shot.replay->recording, context, index);
+  const auto at = [&](uint32_t frame) {
+    return Moment{.rig = shot.rig, .rig_frame = frame, .index = frame, .size = shot.size, .cut = frame == 0};
+  };
+  const Moment now = at(index), before = at(index == 0 ? 0 : index - 1);
+  return frame_input(now, instant_of(now, context), instant_of(before, context), shot.settings,
+                     {modes.begin(), modes.end()});
 }
 
 Headless::Headless(const CommandLine& line, const Shot& shot, Console& console)

@@ -19,7 +19,8 @@
 
 namespace unghost {
 
-/// Frame `index` of a shot: a pure function. Frame 0 is a cut, where nothing has moved.
+/// Frame `index` of a shot: a pure function. Frame 0 is a cut, where nothing has moved. One that is replayed
+/// has modes of its own.
 FrameInput frame_input(const Shot& shot, const RigContext& context, std::span<const ModeRun> modes,
                        uint32_t index);
 

@@ -9,6 +9,7 @@
 #include "app/failure.h"
 #include "app/files.h"
 #include "app/png_file.h"
+#include "app/replayed_shot.h"
 #include "app/rigs.h"
 #include "app/version.h"
 
@@ -80,6 +81,8 @@ std::vector<ModeRun> modes_of(const json& file, const Settings& settings) {
 
 // What a picture carries, but for its modes.
 void apply_shot(const json& file, Shot& shot) {
+  if (file.contains("replay"))
+    throw SettingError("it is of a path that was replayed: --replay with that file draws it again");
   apply_settings_json(shot.settings, file.at("settings"));
   shot.scene = file.value("scene", shot.scene);
   shot.rig = file.value("rig", shot.rig);
@@ -98,20 +101,6 @@ void apply_words(const CommandLine& line, Shot& shot) {
   if (line.size) shot.size = *line.size;
   if (line.frames) shot.frames = *line.frames;
   if (line.crops) shot.crops = *line.crops;
-}
-
-/// The names that the words give, `all` being every row.
-std::vector<std::string> named_modes(const CommandLine& line) {
-  if (line.mode) return {*line.mode};
-  std::vector<std::string> names;
-  for (const std::string& name : line.modes)
-    if (name == all_modes)
-      for (const TaaMode& row : taa_modes()) names.emplace_back(row.name);
-    else
-      names.push_back(name);
-  for (const std::string& name : names)
-    if (std::ranges::count(names, name) > 1) throw SettingError("--modes names " + name + " more than once");
-  return names;
 }
 
 // A picture of one mode is no comparison, and which of several a capture means is not guessed.
@@ -250,7 +239,21 @@ void check_rig(const std::string& name) {
 
 } // namespace
 
+std::vector<std::string> named_modes(const CommandLine& line) {
+  if (line.mode) return {*line.mode};
+  std::vector<std::string> names;
+  for (const std::string& name : line.modes)
+    if (name == all_modes)
+      for (const TaaMode& row : taa_modes()) names.emplace_back(row.name);
+    else
+      names.push_back(name);
+  for (const std::string& name : names)
+    if (std::ranges::count(names, name) > 1) throw SettingError("--modes names " + name + " more than once");
+  return names;
+}
+
 Shot shot_from(const CommandLine& line) {
+  if (!line.replay.empty()) return replayed_shot(line);
   if (line.scene && !is_utf8(*line.scene)) throw WrongWords("the scene's name is not UTF-8");
   Shot shot;
   shot.command = line.command->name;
@@ -274,6 +277,7 @@ json shot_json(const Shot& shot, uint32_t frames) {
                  {"scene", shot.scene},        {"rig", shot.rig},
                  {"seed", shot.seed},          {"frames", frames},
                  {"size", text_of(shot.size)}, {"settings", json::object()}};
+  if (shot.replay) object["replay"] = shot.replay->file;
   Settings settings = shot.settings;
   if (shot.command == "capture") {
     settings.taa = shot.modes.front().taa;

@@ -150,6 +150,8 @@ void Renderer::show_again(const ScreenInput& screen, Swapchain& window) {
   window.present();
 }
 
+uint64_t Renderer::frames() const { return parts_->frame; }
+
 bool Renderer::has_shown() const { return parts_->kept_displays > 0; }
 
 void Renderer::reload_shaders() {

@@ -28,6 +28,8 @@ public:
   /// that is known by now: nothing of this one, and of a frame that was not drawn since the window has
   /// changed.
   std::optional<FrameResult> show(const FrameInput& input, Swapchain& window);
+  /// That were drawn so far: render() adds one, and show() but where the window has changed.
+  uint64_t frames() const;
   /// The displays of the frame that was shown last once more, composed in another way or the same; nothing is
   /// drawn, and no history goes on.
   void show_again(const ScreenInput& screen, Swapchain& window);

@@ -11,7 +11,7 @@ using glm::dquat, glm::dvec3;
 
 constexpr dvec3 up{0, 1, 0};
 constexpr double pivot_height_m = 1; // of what the camera turns about, over the ground below the vehicle
-constexpr double zoom_of_a_step = 0.9, nearest = 0.2, farthest = 8; // times the rig's distance
+constexpr double zoom_of_a_step = 0.9;
 constexpr double flying_m_per_s = 4;
 constexpr double steepest = 89 * std::numbers::pi / 180; // up or down; at 90 degrees it would turn over
 
@@ -47,7 +47,8 @@ double distance_m(const CameraOffset& offset, const Instant& rig) {
 void orbit(CameraOffset& offset, const CameraInput& input, const Instant& rig) {
   offset.yaw += input.orbit.x;
   offset.pitch = -allowed_pitch(rig.camera, -(offset.pitch + input.orbit.y));
-  offset.distance = std::clamp(offset.distance * std::pow(zoom_of_a_step, input.zoom), nearest, farthest);
+  offset.distance =
+      std::clamp(offset.distance * std::pow(zoom_of_a_step, input.zoom), nearest_camera, farthest_camera);
   const double height_m = 2 * std::tan(rig.vertical_fov / 2) * distance_m(offset, rig);
   offset.pan += dvec3(height_m * input.pan, 0);
 }

@@ -7,6 +7,8 @@
 
 namespace unghost {
 
+constexpr double nearest_camera = 0.2, farthest_camera = 8; // times the rig's distance
+
 /// What a person has done to the rig's camera.
 struct CameraOffset {
   double yaw = 0, pitch = 0; // radians about the vehicle, to the camera's right and up

@@ -28,6 +28,7 @@ constexpr double idle_seconds = 0.05;
 DemoState state_from(const CommandLine& line, Console& console) {
   auto [state, complaint] = load_demo(config_file());
   if (!complaint.empty()) console.err << complaint << "\n";
+  if (!line.replay.empty()) return state; // as it is to be kept
   const Shot shot = shot_from(line);
   const bool named = line.mode || !line.settings.empty() || !line.assignments.empty();
   if (line.scene || !line.settings.empty()) state.scene = shot.scene;
@@ -40,15 +41,6 @@ DemoState state_from(const CommandLine& line, Console& console) {
     if (state.modes[mode].name == shot.modes.front().name)
       show_mode(state, mode), state.modes[mode] = shot.modes.front();
   return state;
-}
-
-/// unghost-1.png, or the first after it that is not there.
-std::filesystem::path free_name(const std::string& name, const std::string& extension) {
-  std::error_code ignored;
-  for (uint32_t number = 1;; ++number) {
-    const std::filesystem::path file = name + "-" + std::to_string(number) + extension;
-    if (!std::filesystem::exists(file, ignored)) return file;
-  }
 }
 
 PictureSize size_from(const CommandLine& line) { return line.size.value_or(usual_size); }
@@ -70,7 +62,10 @@ Demo::Demo(const CommandLine& line, Console& console)
   facts_.measured = measured_figures(find_data_folders().assets / "report" / "full.json");
   facts_.scenes = {own_scene};
   if (line.watch) watch_shader_sources();
+  std::optional<Recording> named;
+  if (!line.replay.empty()) named = named_recording();
   show_scene(load_demo_scene(device_, state_));
+  if (named) begin_replay(std::move(*named));
 }
 
 std::vector<size_t> Demo::shown() const {
@@ -90,26 +85,41 @@ PicturePlace Demo::place() const {
                      .magnifier = state_.magnifier}};
 }
 
-FrameInput Demo::next_frame() {
+Moment Demo::next_moment() {
+  if (replay_) return replayed_moment();
+  const ScreenCell cell = cells_of(place().screen, shown().size()).front();
+  const auto drawn_of = [&](int shown_px) {
+    return std::max(1u, uint32_t(std::lround(shown_px * state_.render_scale)));
+  };
+  return {.rig = state_.rig,
+          .rig_frame = state_.rig_frame,
+          .camera = state_.camera,
+          .index = drawn_,
+          .size = {.width = drawn_of(cell.picture.width), .height = drawn_of(cell.picture.height)},
+          .cut = !last_ || state_.requests.drop_history || last_rig_ != state_.rig};
+}
+
+FrameInput Demo::next_frame(const Moment& moment) {
   context_.stage = state_.settings.stage, context_.light = state_.settings.light, context_.seed = state_.seed;
-  FrameInput input;
-  input.now =
-      with_camera(state_.camera, find_rig(state_.rig)->at(context_, double(rig_frame_) * seconds_per_frame));
-  input.cut = !last_ || state_.requests.drop_history || last_rig_ != state_.rig;
-  input.before = last_.value_or(input.now);
-  input.index = drawn_;
+  std::vector<ModeRun> modes;
+  for (const size_t mode : shown()) modes.push_back(state_.modes[mode]);
+  const Instant now = instant_of(moment, context_);
+  FrameInput input = frame_input(moment, now, last_.value_or(now), state_.settings, std::move(modes));
   input.screen = place().screen;
-  input.settings = state_.settings;
-  for (const size_t mode : shown()) input.modes.push_back(state_.modes[mode]);
-  const ScreenCell cell = cells_of(*input.screen, input.modes.size()).front();
-  input.width = std::max(1u, uint32_t(std::lround(cell.picture.width * state_.render_scale)));
-  input.height = std::max(1u, uint32_t(std::lround(cell.picture.height * state_.render_scale)));
   facts_.picture_width = input.width, facts_.picture_height = input.height;
   input.probe = probe(input.modes.size());
-  last_ = input.now;
-  last_rig_ = state_.rig;
-  state_.requests.drop_history = false;
   return input;
+}
+
+/// The next one follows it.
+void Demo::go_on_after(const Moment& moment, const Instant& now) {
+  last_ = now;
+  last_rig_ = state_.rig;
+  state_.rig_frame_shown = moment.rig_frame;
+  state_.rig_frame += state_.moving;
+  state_.requests.drop_history = false;
+  ++drawn_;
+  follow_replay();
 }
 
 std::optional<ProbeInput> Demo::probe(size_t modes) const {
@@ -118,6 +128,8 @@ std::optional<ProbeInput> Demo::probe(size_t modes) const {
   const size_t mode = state_.picked->mode;
   return ProbeInput{.mode = mode < modes ? mode : 0, .x = uint32_t(pixel.x), .y = uint32_t(pixel.y)};
 }
+
+void Demo::look_for_rest() { stillness_.emplace(!renderer_->scene().animations.empty()); }
 
 /// What was drawn last, under the bar and the magnifier of now.
 void Demo::show_what_rests() {
@@ -169,13 +181,23 @@ void Demo::draw() {
   const bool goes_on = !state_.paused || state_.requests.step;
   if (!goes_on && last_) return show_what_rests();
   state_.requests.step = false;
-  const FrameInput input = next_frame();
-  facts_.rests = stillness_->frames_left(input) == 0 && renderer_->has_shown();
-  ++drawn_; // also where it rests: it stands for one that looks the same
-  rig_frame_ += state_.moving;
-  if (facts_.rests) return show_what_rests();
+  const Moment moment = next_moment();
+  const FrameInput input = next_frame(moment);
+  facts_.rests = stillness_->frames_left(input) == 0 && renderer_->has_shown() && !replay_;
+  if (facts_.rests) {
+    go_on_after(moment, input.now); // what stays stands for a frame that looks the same
+    return show_what_rests();
+  }
   probed_.reset();
-  if (const std::optional<FrameResult> result = renderer_->show(input, swapchain_)) note(*result);
+  const uint64_t before = renderer_->frames();
+  const std::optional<FrameResult> result = renderer_->show(input, swapchain_);
+  if (renderer_->frames() > before) {
+    record(moment);
+    go_on_after(moment, input.now);
+  } else { // the window has changed
+    look_for_rest();
+  }
+  if (result) note(*result);
 }
 
 void Demo::say_event(const char* event, const std::string& action) const {
@@ -201,6 +223,7 @@ void Demo::describe() {
   if (!state_.hidden && drawn_ > 0)
     draw_marker(state_, where, shown().size(), {facts_.picture_width, facts_.picture_height});
   if (!state_.hidden) draw_message(message_.empty() ? lasting_message() : message_, where);
+  if (!state_.hidden) draw_path_notice(state_, where);
   if (state_.keys && !state_.hidden) draw_keys(state_, where);
   gui_.end_frame();
 }
@@ -224,8 +247,9 @@ void Demo::take_screenshot() {
             .settings = state_.settings};
   for (const size_t mode : modes) shot.modes.push_back(state_.modes[mode]);
   const std::filesystem::path file = free_name("unghost", ".png");
-  write_file(file, encode_png(picture,
-                              shot_json(shot, uint32_t(std::min<uint64_t>(rig_frame_, most_frames))).dump()));
+  write_file(file,
+             encode_png(picture,
+                        shot_json(shot, uint32_t(std::min<uint64_t>(state_.rig_frame, most_frames))).dump()));
   state_.message = file.string();
 }
 
@@ -240,6 +264,8 @@ void Demo::answer_requests() {
     }
     say_event("screenshot", state_.message);
   }
+  if (std::exchange(asked.record, false)) record_or_end();
+  if (std::exchange(asked.replay, false)) replay_or_end();
   if (std::exchange(asked.full_screen, false)) window_.toggle_full_screen();
   if (const auto scene = std::exchange(asked.scene, {})) ask_for_scene(*scene, "panel");
   if (std::exchange(asked.copy_command, false)) {
@@ -271,8 +297,9 @@ void Demo::run() {
     if (facts_.frame_ms.size() > charted_frames) facts_.frame_ms.pop_front();
     frame_began_ = Clock::now();
   }
+  end_recording("");
   device_.wait_idle();
-  save_demo(state_, config_file());
+  save_demo(kept_state(), config_file());
   if (line_.timings) console_.err << times_.text();
   report_validation(console_.err, device_.validation_messages());
 }

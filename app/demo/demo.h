@@ -9,6 +9,7 @@
 #include "app/demo/gui.h"
 #include "app/demo/overlay.h"
 #include "app/demo/panel.h"
+#include "app/demo/recording_file.h"
 #include "app/demo/shader_build.h"
 #include "app/demo/window.h"
 #include "app/pass_times.h"
@@ -32,6 +33,12 @@ private:
     bool announced = false;
   };
 
+  /// A recording that is drawn again.
+  struct Replay {
+    Recording recording;
+    size_t next = 0;
+  };
+
   void show_scene(DemoScene loaded);
   void ask_for_scene(const std::string& scene, const char* event);
   void load_asked_scene();
@@ -53,10 +60,24 @@ private:
   void take_screenshot();
   bool fit_window(); // false where nothing can be shown
   void draw();
+  void look_for_rest(); // from the next frame on
   void show_what_rests();
-  FrameInput next_frame();
+  Moment next_moment();
+  FrameInput next_frame(const Moment& moment);
+  void go_on_after(const Moment& moment, const Instant& now);
   void note(const FrameResult& result);
   void say_event(const char* event, const std::string& action) const;
+  void record_or_end();
+  void record(const Moment& moment); // a frame that was drawn
+  void end_recording(const std::string& why);
+  void replay_or_end();
+  Recording named_recording(); // by the words; the state becomes what it begins with
+  void begin_replay(Recording recording);
+  void end_replay(const std::string& why);
+  Moment replayed_moment(); // the next one, which the state follows
+  void follow_replay();     // by the frame that was drawn
+  void leave_path(const std::string& why);
+  DemoState kept_state() const; // what is there on the next start
   PicturePlace place() const;
   std::vector<size_t> shown() const; // of the state's modes, as the frame has them
   double seconds_since(Clock::time_point then) const;
@@ -80,7 +101,10 @@ private:
   PassTimes times_;
   std::optional<Instant> last_; // what was drawn before
   std::string last_rig_;
-  uint64_t drawn_ = 0, rig_frame_ = 0;
+  uint64_t drawn_ = 0;
+  std::optional<Recorder> recorder_;
+  std::optional<Replay> replay_;
+  std::optional<DemoState> own_; // the person's, where the words name a recording
   Clock::time_point frame_began_ = Clock::now(), message_since_;
   std::string message_; // that is shown
   glm::dvec2 mouse_{0};

@@ -10,7 +10,7 @@ void Demo::show_scene(DemoScene loaded) {
   built_stage_ = loaded.context.stage;
   renderer_ = std::move(loaded.renderer); // the one before waits for the device
   scene_files_ = std::move(loaded.files), shader_files_ = std::move(loaded.shaders);
-  stillness_.emplace(!renderer_->scene().animations.empty());
+  look_for_rest();
   last_.reset();
   if (std::ranges::find(facts_.scenes, state_.scene) == facts_.scenes.end())
     facts_.scenes.push_back(state_.scene);
@@ -42,15 +42,16 @@ void Demo::load_asked_scene() {
     show_scene(std::move(loaded));
     const std::vector<std::string>& warnings = renderer_->scene().warnings;
     state_.message = short_name(state_.scene) + (warnings.empty() ? "" : ": " + warnings.front());
+    leave_path("another scene");
   }
   say_event(asked.event, "scene");
 }
 
 /// What stands around the model, and how large it is, is part of the scene; its speed is not.
 void Demo::look_for_stage() {
-  StageSettings wanted = state_.settings.stage;
-  wanted.speed = built_stage_.speed;
-  if (wanted == built_stage_ || asked_scene_ || window_.held().left) return; // a slider is let go first
+  const StageSettings& wanted = state_.settings.stage;
+  if (same_stage(wanted, built_stage_) || asked_scene_ || window_.held().left)
+    return; // a slider is let go first
   built_stage_ = wanted;
   ask_for_scene(state_.scene, "stage");
 }
@@ -88,6 +89,7 @@ void Demo::look_for_changes() {
     last_.reset();
   });
   state_.message = fault.value_or("other shaders");
+  if (!fault) leave_path("other shaders");
   say_event("watch", "shaders");
 }
 

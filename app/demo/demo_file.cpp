@@ -5,9 +5,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/demo/file_values.h"
 #include "app/failure.h"
 #include "app/files.h"
-#include "app/rigs.h"
 
 namespace unghost {
 namespace {
@@ -25,51 +25,6 @@ struct Kept {
   json (*get)(const DemoState&);
   void (*set)(DemoState&, const json&); // throws SettingError
 };
-
-double number_of(const json& value, double low, double high) {
-  if (!value.is_number() || value < low || value > high)
-    throw SettingError("it is a number from " + json(low).dump() + " to " + json(high).dump());
-  return value.get<double>();
-}
-
-bool bool_of(const json& value) {
-  if (!value.is_boolean()) throw SettingError("it is true or false");
-  return value.get<bool>();
-}
-
-const std::string& word_of(const json& value) {
-  if (!value.is_string()) throw SettingError("it is a word");
-  return value.get_ref<const std::string&>();
-}
-
-const json& array_of(const json& value, size_t least, size_t most) {
-  if (!value.is_array() || value.size() < least || value.size() > most)
-    throw SettingError("it is a list of " + std::to_string(least) +
-                       (most > least ? " to " + std::to_string(most) : ""));
-  return value;
-}
-
-const json& object_of(const json& value) {
-  if (!value.is_object()) throw SettingError("it is an object");
-  return value;
-}
-
-/// What `settings` have otherwise than `usual`.
-json changed(const Settings& settings, const Settings& usual, SettingsPart part) {
-  json object = settings_json(settings, part);
-  const json unchanged = settings_json(usual, part);
-  for (const auto& [name, value] : unchanged.items())
-    if (object.at(name) == value) object.erase(name);
-  return object;
-}
-
-void apply_part(Settings& settings, const json& object, SettingsPart part) {
-  for (const auto& [name, value] : object_of(object).items())
-    if (find_setting(name).per_mode != (part == SettingsPart::per_mode))
-      throw SettingError(name +
-                         (part == SettingsPart::per_mode ? " is shared by all modes" : " is a mode's own"));
-  apply_settings_json(settings, object);
-}
 
 json shared_json(const DemoState& state) { return changed(state.settings, {}, SettingsPart::shared); }
 
@@ -101,20 +56,6 @@ void set_modes(DemoState& state, const json& object) {
   }
 }
 
-void set_rig(DemoState& state, const json& value) {
-  const Rig* rig = find_rig(word_of(value));
-  std::vector<std::string> known;
-  for (const Rig& row : rigs()) known.emplace_back(row.name);
-  if (rig == nullptr)
-    throw SettingError("there is no rig '" + word_of(value) + "'" + did_you_mean(word_of(value), known));
-  state.rig = rig->name;
-}
-
-void set_seed(DemoState& state, const json& value) {
-  if (!value.is_number_unsigned()) throw SettingError("it is a whole number from 0");
-  state.seed = value.get<uint64_t>();
-}
-
 json compared_json(const DemoState& state) {
   json names = json::array();
   for (const size_t mode : state.compared) names.push_back(state.modes[mode].name);
@@ -127,11 +68,31 @@ void set_compared(DemoState& state, const json& value) {
     state.compared.push_back(place_of_mode(state, word_of(name)));
 }
 
-void set_arrangement(DemoState& state, const json& value) {
-  const std::span<const Answer> all = answers<Arrangement>();
-  const auto found = std::ranges::find(all, word_of(value), &Answer::name);
-  if (found == all.end()) throw SettingError("there is no arrangement '" + word_of(value) + "'");
-  state.arrangement = Arrangement(found->value);
+json bookmarks_json(const DemoState& state) {
+  json list = json::array();
+  for (const Bookmark& mark : state.bookmarks)
+    list.push_back({{"rig", mark.rig}, {"rig-frame", mark.rig_frame}, {"camera", camera_json(mark.camera)}});
+  return list;
+}
+
+void set_part(Bookmark& mark, const std::string& key, const json& value) {
+  if (key == "rig")
+    mark.rig = rig_of(value);
+  else if (key == "rig-frame")
+    mark.rig_frame = count_of(value, latest_frame);
+  else if (key == "camera")
+    mark.camera = camera_of(value);
+  else
+    throw SettingError("a bookmark has none");
+}
+
+void set_bookmarks(DemoState& state, const json& value) {
+  state.bookmarks.clear(), state.bookmark.reset();
+  for (const json& entry : array_of(value, 0, most_bookmarks)) {
+    Bookmark& mark = state.bookmarks.emplace_back();
+    for (const auto& [key, part] : object_of(entry).items())
+      within(key, [&, &name = key, &content = part] { set_part(mark, name, content); });
+  }
 }
 
 void set_magnified(DemoState& state, const json& value) {
@@ -152,14 +113,17 @@ template <auto... path> Kept kept_bool(std::string_view key) {
 std::span<const Kept> kept() {
   using State = DemoState;
   static const Kept rows[] = {
-      {"rig", [](const State& s) { return json(s.rig); }, set_rig},
-      {"seed", [](const State& s) { return json(s.seed); }, set_seed},
+      {"rig", [](const State& s) { return json(s.rig); },
+       [](State& s, const json& value) { s.rig = rig_of(value); }},
+      {"seed", [](const State& s) { return json(s.seed); },
+       [](State& s, const json& value) { s.seed = count_of(value, UINT64_MAX); }},
       {"settings", shared_json, set_shared},
       {"modes", modes_json, set_modes},
       {"shown", [](const State& s) { return json(s.modes[s.mode].name); },
        [](State& s, const json& name) { s.mode = place_of_mode(s, word_of(name)); }},
       {"compared", compared_json, set_compared},
-      {"arrangement", [](const State& s) { return json(spelling(s.arrangement)); }, set_arrangement},
+      {"arrangement", [](const State& s) { return json(spelling(s.arrangement)); },
+       [](State& s, const json& value) { s.arrangement = arrangement_of(value); }},
       {"split", [](const State& s) { return json(s.split); },
        [](State& s, const json& value) { s.split = number_of(value, 0, 1); }},
       kept_bool<&State::magnifier, &Magnifier::shown>("magnifier"),
@@ -173,6 +137,7 @@ std::span<const Kept> kept() {
       {"render-scale", [](const State& s) { return json(s.render_scale); },
        [](State& s, const json& value) { s.render_scale = number_of(value, least_scale, 1); }},
       {"frame-ms", [](const State& s) { return s.frame_ms ? json(*s.frame_ms) : json(); }, set_frame_ms},
+      {"bookmarks", bookmarks_json, set_bookmarks},
   };
   return rows;
 }
@@ -180,11 +145,7 @@ std::span<const Kept> kept() {
 void set_kept(DemoState& state, const std::string& key, const json& value) {
   const auto row = std::ranges::find(kept(), key, &Kept::key);
   if (row == kept().end()) throw SettingError("there is no '" + key + "'");
-  try {
-    row->set(state, value);
-  } catch (const SettingError& error) {
-    throw SettingError(key + ": " + error.what());
-  }
+  within(key, [&] { row->set(state, value); });
 }
 
 void check_seen_once(const DemoState& state) {

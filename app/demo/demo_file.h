@@ -10,8 +10,8 @@
 
 namespace unghost {
 
-/// Settings, rig, modes and what is shown of them, but neither the scene nor the camera nor a pause. Of
-/// settings, what differs from the defaults, and of modes, what differs from their rows.
+/// Settings, rig, modes, what is shown of them, and bookmarks, but neither the scene nor the camera nor a
+/// pause. Of settings, what differs from the defaults, and of modes, what differs from their rows.
 nlohmann::json demo_json(const DemoState& state);
 /// What the object does not name stays as it is. Throws SettingError with what is wrong, and then leaves the
 /// state as it was.

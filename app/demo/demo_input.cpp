@@ -67,7 +67,7 @@ void Demo::steer(const WindowEvents& events, const WindowHeld& held) {
     move_magnifier(held, seconds);
   else
     input.orbit -= held.right_stick * seconds * look_a_second * glm::dvec2(1, -1);
-  const Instant rig = find_rig(state_.rig)->at(context_, double(rig_frame_) * seconds_per_frame);
+  const Instant rig = instant_of({.rig = state_.rig, .rig_frame = state_.rig_frame}, context_);
   unghost::steer(state_.camera, input, rig, seconds);
 }
 

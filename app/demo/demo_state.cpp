@@ -67,8 +67,37 @@ void reset_mode(DemoState& state) { state.modes[state.mode].taa = taa_modes()[st
 void reset_all(DemoState& state) {
   DemoState fresh = default_demo_state();
   fresh.scene = state.scene;
+  fresh.rig_frame = state.rig_frame, fresh.rig_frame_shown = state.rig_frame_shown;
+  fresh.bookmarks = state.bookmarks;
+  fresh.recorded = state.recorded, fresh.replayed = state.replayed, fresh.path_file = state.path_file;
   fresh.requests = state.requests;
   state = std::move(fresh);
+}
+
+void keep_bookmark(DemoState& state) {
+  state.bookmark = state.bookmarks.size();
+  state.bookmarks.push_back({.rig = state.rig, .rig_frame = state.rig_frame_shown, .camera = state.camera});
+}
+
+void go_to_bookmark(DemoState& state, size_t place) {
+  state.rig = state.bookmarks[place].rig;
+  state.rig_frame = state.bookmarks[place].rig_frame;
+  look_as_bookmark(state, place);
+}
+
+void look_as_bookmark(DemoState& state, size_t place) {
+  state.camera = state.bookmarks[place].camera;
+  state.bookmark = place;
+  state.requests.drop_history = true;
+  state.requests.step = true; // it is seen while paused, too
+}
+
+void forget_bookmark(DemoState& state, size_t place) {
+  state.bookmarks.erase(state.bookmarks.begin() + ptrdiff_t(place));
+  if (state.bookmark == place)
+    state.bookmark.reset();
+  else if (state.bookmark && *state.bookmark > place)
+    --*state.bookmark;
 }
 
 size_t place_of_mode(const DemoState& state, std::string_view name) {

@@ -31,11 +31,23 @@ struct DemoRequests {
   bool screenshot = false;
   bool copy_command = false;        // to the clipboard
   bool full_screen = false;         // changes it
+  bool record = false;              // begins a recording, or ends it
+  bool replay = false;              // begins a replay, or ends it
   std::optional<std::string> scene; // is loaded
   bool leave = false;
 
   bool operator==(const DemoRequests&) const = default;
 };
+
+/// A view to come back to: the same picture, and the same place about the vehicle at another time.
+struct Bookmark {
+  std::string rig = "drive";
+  uint64_t rig_frame = 0; // its time
+  CameraOffset camera;
+
+  bool operator==(const Bookmark&) const = default;
+};
+constexpr size_t most_bookmarks = 100;
 
 struct DemoState {
   std::string scene = own_scene, rig = "drive";
@@ -51,13 +63,19 @@ struct DemoState {
   Magnifier magnifier;
   bool magnifier_follows = false; // the mouse
   std::optional<Picked> picked;
+  uint64_t rig_frame = 0;       // the rig's time, of the next frame
+  uint64_t rig_frame_shown = 0; // and of the one that was drawn last
   CameraOffset camera;
-  bool moving = true;              // the rig's time goes on
-  bool paused = false;             // no frame is drawn
-  bool panel = true, keys = false; // shown
-  bool hidden = false;             // nothing but the picture
-  double render_scale = 1;         // pixels rendered a pixel shown, along each axis; 0.5 to 1
-  std::optional<double> frame_ms;  // the scale is chosen so that a frame takes so long
+  std::vector<Bookmark> bookmarks;
+  std::optional<size_t> bookmark;             // of `bookmarks`: the one that was kept or gone to last
+  bool moving = true;                         // the rig's time goes on
+  bool paused = false;                        // no frame is drawn
+  bool panel = true, keys = false;            // shown
+  bool hidden = false;                        // nothing but the picture
+  double render_scale = 1;                    // pixels rendered a pixel shown, along each axis; 0.5 to 1
+  std::optional<double> frame_ms;             // the scale is chosen so that a frame takes so long
+  std::optional<uint64_t> recorded, replayed; // frames so far, while a recording or a replay goes on
+  std::string path_file;                      // what there is to replay
   DemoRequests requests;
   std::string message; // what the last key did; shown for a second
 
@@ -86,8 +104,15 @@ constexpr size_t most_compared = 3;
 bool is_changed(const DemoState& state);
 /// The shown mode as its row of the table has it.
 void reset_mode(DemoState& state);
-/// Everything as in the first run, but for the scene.
+/// Everything as in the first run, but for the scene, its time, bookmarks and recordings.
 void reset_all(DemoState& state);
+/// Keeps the view that is shown, after the others; there are fewer than most_bookmarks.
+void keep_bookmark(DemoState& state);
+/// The same view: rig, its time and camera. Nothing of before may be used.
+void go_to_bookmark(DemoState& state, size_t place);
+/// Its camera alone, wherever the vehicle is by now.
+void look_as_bookmark(DemoState& state, size_t place);
+void forget_bookmark(DemoState& state, size_t place);
 /// The place of the mode of that name. Throws SettingError with the nearest name.
 size_t place_of_mode(const DemoState& state, std::string_view name);
 

@@ -13,7 +13,8 @@ namespace {
 
 constexpr float margin = 8, padding = 4;
 constexpr ImU32 paper = IM_COL32(0, 0, 0, 170), dark = IM_COL32(0, 0, 0, 255),
-                picked_ink = IM_COL32(255, 210, 60, 255), ink = IM_COL32(255, 255, 255, 255);
+                recording_ink = IM_COL32(255, 80, 70, 255), picked_ink = IM_COL32(255, 210, 60, 255),
+                ink = IM_COL32(255, 255, 255, 255);
 
 /// Of words in lines of at most that width; 0: in one.
 ImVec2 size_of(const std::string& words, float width) {
@@ -21,12 +22,12 @@ ImVec2 size_of(const std::string& words, float width) {
 }
 
 /// Words on a dark ground, so that they read on any picture.
-void write(ImVec2 at, const std::string& words, float width = 0) {
+void write(ImVec2 at, const std::string& words, float width = 0, ImU32 colour = ink) {
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
   const ImVec2 size = size_of(words, width);
   list.AddRectFilled({at.x - padding, at.y - padding}, {at.x + size.x + padding, at.y + size.y + padding},
                      paper, 2);
-  list.AddText(ImGui::GetFont(), ImGui::GetFontSize(), at, ink, words.c_str(), nullptr, width);
+  list.AddText(ImGui::GetFont(), ImGui::GetFontSize(), at, colour, words.c_str(), nullptr, width);
 }
 
 bool is_digit(const Action& action) { return action.key >= GLFW_KEY_0 && action.key <= GLFW_KEY_9; }
@@ -112,6 +113,14 @@ void draw_message(const std::string& message, const PicturePlace& place) {
   write({float(place.at.x + place.screen.width / 2.0) - size.x / 2,
          float(place.at.y + place.screen.height) - size.y - 3 * margin},
         message, width);
+}
+
+void draw_path_notice(const DemoState& state, const PicturePlace& place) {
+  const ImVec2 below_labels{float(place.at.x) + margin,
+                            float(place.at.y) + 2 * margin + padding + ImGui::GetTextLineHeight()};
+  if (state.recorded)
+    write(below_labels, "recording, " + std::to_string(*state.recorded) + " frames", 0, recording_ink);
+  if (state.replayed) write(below_labels, "replay, " + std::to_string(*state.replayed) + " frames");
 }
 
 void draw_keys(const DemoState& state, const PicturePlace& place) {

@@ -27,6 +27,8 @@ void draw_labels(const DemoState& state, const PicturePlace& place, std::span<co
 /// drawn at.
 void draw_marker(const DemoState& state, const PicturePlace& place, size_t modes, glm::ivec2 picture_px);
 void draw_message(const std::string& message, const PicturePlace& place);
+/// That a recording or a replay goes on, and how far.
+void draw_path_notice(const DemoState& state, const PicturePlace& place);
 /// Every key with what it does and its present state; greyed, with why, where it has no effect.
 void draw_keys(const DemoState& state, const PicturePlace& place);
 

@@ -81,12 +81,35 @@ void draw_scenes(DemoState& state, const std::vector<std::string>& scenes) {
   ImGui::EndCombo();
 }
 
+void draw_bookmarks(DemoState& state) {
+  if (state.bookmarks.size() < most_bookmarks && ImGui::SmallButton("keep this view (M)"))
+    keep_bookmark(state);
+  std::optional<size_t> forgotten;
+  for (size_t place = 0; place < state.bookmarks.size(); ++place) {
+    const Bookmark& mark = state.bookmarks[place];
+    ImGui::PushID(int(place));
+    if (ImGui::RadioButton("##shown", state.bookmark == place)) go_to_bookmark(state, place);
+    ImGui::SameLine();
+    ImGui::Text("%s, frame %s", mark.rig.c_str(), std::to_string(mark.rig_frame).c_str());
+    if (ImGui::SmallButton("go")) go_to_bookmark(state, place);
+    if (ImGui::IsItemHovered()) tooltip("The same view again");
+    ImGui::SameLine();
+    if (ImGui::SmallButton("camera")) look_as_bookmark(state, place);
+    if (ImGui::IsItemHovered()) tooltip("Its camera, while the rig goes on");
+    ImGui::SameLine();
+    if (ImGui::SmallButton("forget")) forgotten = place;
+    ImGui::PopID();
+  }
+  if (forgotten) forget_bookmark(state, *forgotten);
+}
+
 void draw_world(DemoState& state, const DemoFacts& facts) {
   draw_scenes(state, facts.scenes);
   if (const Rig* rig = choose("rig", rigs(), state.rig)) state.rig = rig->name;
   Settings shared = settings_of(state, state.mode);
   if (edit_settings(shared, Settings{}, SettingsPart::shared, state.message)) state.settings = shared;
   if (state.camera != CameraOffset{} && ImGui::SmallButton("the rig's camera")) state.camera = {};
+  draw_bookmarks(state);
 }
 
 void draw_row(DemoState& state) {

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <sys/stat.h>
 
+#include "app/demo/file_values.h"
 #include "app/failure.h"
 #include "tests/app/altered_setting.h"
 #include "tests/app/scratch_folder.h"
@@ -36,6 +37,10 @@ DemoState other_than_default() {
   state.panel = false;
   state.render_scale = 0.7;
   state.frame_ms = 16.6;
+  const glm::dquat turn = glm::normalize(glm::dquat(0.1, 0.7, -0.3, 0.2));
+  state.bookmarks = {{.rig = "pass", .rig_frame = 77, .camera = {.yaw = 1.0 / 3, .pan = {0, -0.1, 3e-9}}},
+                     {.rig_frame = latest_frame, .camera = {.distance = 0.3}},
+                     {.camera = {.flown = CameraOffset::Flown{.eye = {1, 2.1, -1e6}, .camera = turn}}}};
   return state;
 }
 
@@ -88,6 +93,8 @@ TEST(DemoFile, KeepsNeitherSceneNorCameraNorWhatPasses) {
   DemoState state = default_demo_state();
   state.scene = "car.glb";
   state.camera.yaw = 1;
+  state.rig_frame = state.rig_frame_shown = 5;
+  state.recorded = state.replayed = 3, state.path_file = "path.json";
   state.paused = state.hidden = state.keys = state.flicker = state.requests.leave = true;
   state.moving = false;
   state.message = "word";
@@ -151,6 +158,14 @@ TEST(DemoFile, RefusesNonsenseAndLeavesTheStateAsItWas) {
       {R"({"render-scale": 4})", "render-scale: "},
       {R"({"frame-ms": 0})", "frame-ms: "},
       {R"({"frame-ms": "16"})", "frame-ms: "},
+      {R"({"bookmarks": {}})", "bookmarks: it is a list of 0 to 100"},
+      {R"({"bookmarks": [1]})", "bookmarks: it is an object"},
+      {R"({"bookmarks": [{"rig": "driv"}]})", "did you mean 'drive'?"},
+      {R"({"bookmarks": [{"frame": 1}]})", "bookmarks: frame: a bookmark has none"},
+      {R"({"bookmarks": [{"rig-frame": -1}]})", "rig-frame: it is a whole number"},
+      {R"({"bookmarks": [{"camera": {"yaw": "1"}}]})", "bookmarks: camera: yaw: it is a number"},
+      {R"({"bookmarks": [{"camera": {"flown": {"eye": [0, 0, 0], "camera": [2, 0, 0, 0]}}}]})",
+       "flown: camera: it is a number from -1.0 to 1.0"},
       {R"({"rig": "still", "split": 7})", "split: "}, // what is right before what is wrong
   };
   for (const auto& [text, sentence] : hostile)

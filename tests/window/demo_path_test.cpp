@@ -1,0 +1,174 @@
+// Views that are kept, and paths that the real demo records and replays: to the bit, also without a window.
+#include "tests/window/driven_demo.h"
+
+namespace unghost {
+namespace {
+
+using nlohmann::json;
+
+/// The header and the pixels of a PNG, as they are compressed: alike where the pixels are.
+std::string pixels_in(const std::string& png) {
+  std::string pixels;
+  for (size_t at = 8; at + 12 <= png.size();) {
+    uint32_t length = 0;
+    for (size_t i = 0; i < 4; ++i) length = length << 8 | uint8_t(png[at + i]);
+    const std::string kind = png.substr(at + 4, 4);
+    if (kind == "IHDR" || kind == "IDAT") pixels += png.substr(at + 8, length);
+    at += 12 + size_t(length);
+  }
+  return pixels;
+}
+
+class DemoPath : public DrivenDemo {
+protected:
+  std::string pixels_of(const std::string& picture) const {
+    return pixels_in(content_of(folder.path / picture));
+  }
+  void expect_same(const std::string& one, const std::string& other) const {
+    EXPECT_GT(pixels_of(one).size(), 1000u) << one;
+    EXPECT_TRUE(pixels_of(one) == pixels_of(other)) << one << " and " << other;
+  }
+
+  /// The program without a window, in the folder of the test, and validated.
+  int without_window(const Words& more) const {
+    Words words = {"env", "UNGHOST_VALIDATE=1", program()};
+    words.insert(words.end(), more.begin(), more.end());
+    words.push_back("--quiet");
+    return exit_of(words, folder.path);
+  }
+
+  /// A key that changes nothing, as no pixel is picked.
+  static uint64_t drawn(DemoRun& run) { return run.press("i", "pixel")["drawn"]; }
+  static void draw_more(DemoRun& run, uint64_t frames) {
+    const uint64_t from = drawn(run);
+    EXPECT_TRUE(comes_true([&] { return drawn(run) >= from + frames; }));
+  }
+
+  static void take(DemoRun& run, const std::string& picture) {
+    run.window().press("F12");
+    EXPECT_EQ(run.expect_event(picture)["event"], "screenshot");
+  }
+
+  /// Pauses, takes the picture of the last frame, and ends the recording; the name of its file.
+  static std::string end(DemoRun& run) {
+    run.press("p", "pause");
+    take(run, "unghost-1.png");
+    run.window().press("o");
+    const std::string said = run.expect_event("recorded")["message"];
+    return said.substr(0, said.find(": "));
+  }
+};
+
+TEST_F(DemoPath, ARecordingIsDrawnWithoutAWindowToTheBit) {
+  configure({{"rig", "drive"}, {"shown", "blend"}});
+  DemoRun run = started();
+  draw_more(run, 10); // of a history that is no part of it
+  run.press("o", "recording");
+  draw_more(run, 10);
+  run.window().drag({100, 60}, {180, 90});
+  run.press("3", "mode");
+  run.press("x", "rectification");
+  draw_more(run, 5);
+  run.press("BackSpace", "history");
+  run.press("l", "rig");
+  run.window().scroll(2);
+  draw_more(run, 5);
+  EXPECT_EQ(end(run), "unghost-path-1.json");
+  expect_left_in_silence(run);
+  EXPECT_EQ(without_window({"capture", "--replay", "unghost-path-1.json", "-o", "replayed.png"}), 0);
+  expect_same("replayed.png", "unghost-1.png");
+  EXPECT_EQ(without_window({"capture", "--replay", "unghost-path-1.json", "--mode", "off", "-o", "off.png"}),
+            0);
+  EXPECT_NE(pixels_of("off.png"), pixels_of("replayed.png"));
+}
+
+TEST_F(DemoPath, AReplayInTheWindowEndsAtTheSamePicture) {
+  configure({{"rig", "drive"}, {"shown", "blend"}});
+  DemoRun run = started();
+  run.press("o", "recording");
+  run.window().drag({100, 60}, {180, 90});
+  draw_more(run, 10);
+  run.press("9", "mode");
+  draw_more(run, 3);
+  end(run);
+  run.press("4", "mode"); // and is elsewhere meanwhile
+  run.press("l", "rig");
+  run.press("shift+o", "replay");
+  EXPECT_TRUE(run.expect_event("replayed")["message"].get<std::string>().ends_with("; P goes on"));
+  take(run, "unghost-2.png");
+  expect_same("unghost-2.png", "unghost-1.png");
+  expect_left_in_silence(run);
+}
+
+TEST_F(DemoPath, ANamedRecordingIsReplayedAtOnceAndLeavesThePersonsSettings) {
+  configure({{"rig", "pass"}, {"shown", "blend"}});
+  {
+    DemoRun run = started();
+    run.press("o", "recording");
+    draw_more(run, 10);
+    end(run);
+    expect_left_in_silence(run);
+  }
+  configure({{"rig", "still"}, {"shown", "off"}});
+  DemoRun run = started(small, {"--replay", "unghost-path-1.json"});
+  run.expect_event("replayed");
+  EXPECT_EQ(run.press("m", "bookmark")["state"]["rig"], "pass");
+  take(run, "unghost-2.png");
+  expect_same("unghost-2.png", "unghost-1.png");
+  expect_left_in_silence(run);
+  const json kept = json::parse(content_of(config_file()));
+  EXPECT_EQ(kept["rig"], "still");
+  EXPECT_EQ(kept["shown"], "off");
+  EXPECT_EQ(kept["bookmarks"].size(), 1u);
+}
+
+TEST_F(DemoPath, OtherSizesAndAComparisonArePartOfIt) {
+  configure({{"rig", "drive"}, {"shown", "blend"}, {"compared", {"dop32"}}});
+  DemoRun run = started();
+  run.press("o", "recording");
+  draw_more(run, 5);
+  run.window().resize({400, 220});
+  run.window().expect_size({400, 220});
+  run.press("b", "comparison");
+  draw_more(run, 5);
+  run.press("b", "comparison");
+  draw_more(run, 5);
+  end(run);
+  expect_left_in_silence(run);
+  EXPECT_EQ(without_window({"capture", "--replay", "unghost-path-1.json", "-o", "replayed.png"}), 0);
+  expect_same("replayed.png", "unghost-1.png");
+  EXPECT_EQ(without_window(
+                {"compare", "--replay", "unghost-path-1.json", "--modes", "blend,off", "-o", "grid.png"}),
+            0);
+}
+
+TEST_F(DemoPath, ARecordingIsWrittenWhereTheDemoIsLeft) {
+  DemoRun run = started();
+  run.press("o", "recording");
+  draw_more(run, 3);
+  expect_left_in_silence(run);
+  EXPECT_TRUE(std::filesystem::exists(folder.path / "unghost-path-1.json"));
+}
+
+TEST_F(DemoPath, ABookmarkBringsTheSamePictureAgain) {
+  configure({{"rig", "drive"}, {"shown", "off"}});
+  DemoRun run = started();
+  run.window().drag({100, 60}, {180, 90});
+  draw_more(run, 2); // with the camera where it was dragged to
+  run.press("p", "pause");
+  run.press("m", "bookmark");
+  take(run, "unghost-1.png");
+  run.press("p", "pause");
+  run.press("Home", "camera");
+  run.press("l", "rig");
+  draw_more(run, 3);
+  run.press("p", "pause");
+  const uint64_t before = run.press("j", "bookmark")["drawn"];
+  EXPECT_TRUE(comes_true([&] { return drawn(run) > before; })); // one frame
+  take(run, "unghost-2.png");
+  expect_same("unghost-2.png", "unghost-1.png");
+  expect_left_in_silence(run);
+}
+
+} // namespace
+} // namespace unghost

@@ -43,6 +43,7 @@ struct ShadowVersion {
 struct LastFrame {
   std::vector<TaaPolicy> policies; // by place in the list of modes
   ShadowVersion shadows;
+  VkRect2D shadows_moved{}; // texels of the shadow map that moving casters lay in
 };
 
 struct FrameSetup {

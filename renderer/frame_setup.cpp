@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <tuple>
+#include <utility>
 
 #include <glm/gtc/matrix_transform.hpp>
 
@@ -79,9 +81,19 @@ void describe_underside(FrameConstants& constants, const FrameInput& input, cons
 
 bool casts_shadow(const Draw& draw) { return (draw.features & IS_UNLIT) == 0 && !draw.blended; }
 
-/// Fills `visible`, `casters` and `in_view`.
-void list_draws(FrameGraph& graph, FrameContext& in, const FrameConstants& constants, const GpuScene& gpu,
-                const Objects& objects) {
+/// The texels of the shadow map that what lies in `box`, in clip space, may fall in.
+VkRect2D texels_of(const Bounds& box) {
+  if (box.empty()) return {};
+  constexpr glm::dvec2 rounding(2), least(0), most(shadow_texels);
+  const auto texel_of = [&](glm::dvec3 clip) { return (glm::dvec2(clip) * 0.5 + 0.5) * most; };
+  const glm::dvec2 low = glm::clamp(glm::floor(texel_of(box.low)) - rounding, least, most);
+  const glm::dvec2 high = glm::clamp(glm::ceil(texel_of(box.high)) + rounding, least, most);
+  return {{int32_t(low.x), int32_t(low.y)}, {uint32_t(high.x - low.x), uint32_t(high.y - low.y)}};
+}
+
+/// Fills `visible`, `casters` and `in_view`. Returns the texels of the shadow map that moving casters lie in.
+VkRect2D list_draws(FrameGraph& graph, FrameContext& in, const FrameConstants& constants, const GpuScene& gpu,
+                    const Objects& objects) {
   const glm::dmat4 clip_from_eye(constants.clip_from_eye);
   glm::dmat4 shadow_clip_from_eye(constants.shadow_from_eye);
   for (int column = 0; column < 4; ++column)
@@ -90,6 +102,7 @@ void list_draws(FrameGraph& graph, FrameContext& in, const FrameConstants& const
   // Culling does not see the jitter: it could move things by half a pixel.
   const glm::dvec2 side = 1.0 + 1.0 / glm::dvec2(constants.size_px);
   std::vector<uint8_t> seen, seen_by_sun;
+  Bounds moving;
   for (const Draw& draw : gpu.draws) {
     const glm::dmat4& eye_from_object = objects.eye_from_object[draw.object];
     const bool moved = objects.moved[draw.object] != 0;
@@ -98,7 +111,10 @@ void list_draws(FrameGraph& graph, FrameContext& in, const FrameConstants& const
                           may_be_seen(draw.bounds, shadow_clip_from_eye * eye_from_object));
     in.in_view.anything |= seen.back() != 0;
     in.in_view.anything_moved |= moved && seen.back() != 0;
-    in.in_view.moving_casters |= moved && casts_shadow(draw) && seen_by_sun.back() != 0;
+    if (!moved || !casts_shadow(draw) || seen_by_sun.back() == 0) continue;
+    in.in_view.moving_casters = true;
+    for (const glm::dvec4& corner : corners_of(draw.bounds))
+      moving.add(glm::dvec3(shadow_clip_from_eye * eye_from_object * corner));
   }
   const auto needed = [&](const std::vector<uint8_t>& within, const char* what, const char* where) {
     const auto beyond = std::ranges::count(within, 0);
@@ -114,11 +130,17 @@ void list_draws(FrameGraph& graph, FrameContext& in, const FrameConstants& const
       by_distance.emplace_back(distance_to(draw.bounds, objects.eye_from_object[draw.object]), &draw);
     if (casts_shadow(draw) && (all_cast || seen_by_sun[i] != 0)) in.casters.push_back(&draw);
   }
-  // Pipelines change seldom, and within one near things come first, so that what lies behind them is not
-  // shaded.
-  std::ranges::stable_sort(by_distance, {},
-                           [](const auto& one) { return std::pair(one.second->features, one.first); });
-  for (const auto& [distance, draw] : by_distance) in.visible.push_back(draw);
+  const auto is_plain = [&](const Draw& draw) { return !draw.shines && objects.moved[draw.object] == 0; };
+  // What writes fewer images must not hide in the others what was written there before. Then pipelines change
+  // seldom, and within one near things come first, so that what lies behind them is not shaded.
+  std::ranges::stable_sort(by_distance, {}, [&](const auto& one) {
+    return std::tuple(!is_plain(*one.second), one.second->features, one.first);
+  });
+  for (const auto& [distance, draw] : by_distance) {
+    in.visible.push_back(draw);
+    in.plain += is_plain(*draw);
+  }
+  return texels_of(moving);
 }
 
 /// What every pipeline is made with beside what its own draws ask for: a white texture multiplies by 1, and
@@ -261,6 +283,7 @@ FrameSetup describe_frame(FrameGraph& graph, const FrameInput& given, const Scen
                   .lights = memory.push_range(lights),
                   .light_count = uint32_t(lights.size()),
                   .visible = {},
+                  .plain = 0,
                   .casters = {},
                   .moved = objects.moved,
                   .mirrored = objects.mirrored,
@@ -271,10 +294,12 @@ FrameSetup describe_frame(FrameGraph& graph, const FrameInput& given, const Scen
                   .shadow_texels = shadow_texels,
                   .shadow_version =
                       version_of(before.shadows, map_place, objects, gpu, now, input.keeps_nothing),
+                  .shadows_moved_before = {},
                   .policy_changed = changes_of(before.policies, input.modes),
                   .tagged = tagged_range(input, gpu, objects),
                   .timed = input.timed};
-  list_draws(graph, in, constants, gpu, objects);
+  in.shadows_moved_before =
+      std::exchange(before.shadows_moved, list_draws(graph, in, constants, gpu, objects));
 
   const SharedGeometries shared = share_geometries(input);
   FrameSetup setup{.contexts = {}, .geometry_of = shared.of_mode};

@@ -15,10 +15,10 @@ layout(location = 1) out vec2 out_normal;
 layout(location = 2) out vec4 out_material;
 #endif
 #ifdef WRITES_EMISSIVE
-layout(location = 3) out vec3 out_emissive;
+layout(location = GBUFFER_EMISSIVE) out vec3 out_emissive;
 #endif
 #ifdef WRITES_MOTION
-layout(location = 4) out vec4 out_motion;
+layout(location = GBUFFER_MOTION) out vec4 out_motion;
 #endif
 #ifdef WRITES_OBJECT
 layout(location = 5) out uint out_id;

@@ -81,7 +81,8 @@ Cache FrameGraph::cache(const std::string& key, ImageDesc desc, uint64_t version
       found != kept_.end() && found->second.version == version && same_place(found->second.desc, desc);
   desc.name = key;
   return {.image = keep({.desc = desc, .key = key, .holds_content = valid, .version = version}),
-          .valid = valid};
+          .valid = valid,
+          .recent = valid && found->second.frame + 1 == frame_};
 }
 
 void FrameGraph::compute(ComputePass pass) {
@@ -94,8 +95,11 @@ void FrameGraph::copy(const CopyPass& pass) {
   passes_.push_back({.name = pass.name,
                      .kind = PassKind::transfer,
                      .transfers = {{pass.from, Use::transfer_source}, {pass.to, Use::transfer_destination}},
+                     .patches = pass.part.has_value(),
                      .root = pass.root,
-                     .record = [pass](PassCommands& commands) { commands.copy(pass.from, pass.to); }});
+                     .record = [pass, all = desc(pass.from).extent](PassCommands& commands) {
+                       commands.copy(pass.from, pass.to, pass.part.value_or(VkRect2D{{}, all}));
+                     }});
 }
 
 size_t FrameGraph::read_back(ImageRef image, VkImageAspectFlags aspect, std::optional<VkRect2D> part) {

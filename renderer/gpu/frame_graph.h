@@ -92,7 +92,8 @@ struct Pass {
   std::vector<Binding> bindings;
   std::vector<Attachment> attachments;
   std::vector<std::pair<ImageRef, Use>> transfers;
-  bool root = false; // runs in any case: what it does leaves the graph
+  bool patches = false; // transfers leave what is around them as it was
+  bool root = false;    // runs in any case: what it does leaves the graph
   std::function<void(PassCommands&)> record;
 };
 
@@ -107,10 +108,11 @@ struct ComputePass {
   VkExtent2D group{WORKGROUP_WIDTH, WORKGROUP_HEIGHT}; // of which a workgroup does so many
 };
 
-/// All of an image into another of its format and size.
+/// An image, or a part of it, into another of its format and size.
 struct CopyPass {
   std::string name;
   ImageRef from, to;
+  std::optional<VkRect2D> part; // to the same place
   bool root = false;
 };
 
@@ -133,7 +135,8 @@ struct History {
 /// An image whose content stays from frame to frame until its version changes.
 struct Cache {
   ImageRef image;
-  bool valid = false; // holds the version that was asked for: nothing has to write it
+  bool valid = false;  // holds the version that was asked for: nothing has to write it
+  bool recent = false; // was written in the frame before
 };
 
 class FrameGraph {

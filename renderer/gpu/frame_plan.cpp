@@ -35,7 +35,8 @@ std::vector<Touch> touches_of(const FrameGraph& graph, const Pass& pass) {
     if (binding.image) touch(binding.image, binding.use, binding.use != Use::storage_write);
   for (const Attachment& attachment : pass.attachments)
     if (attachment.image) touch(attachment.image, attachment.use, !attachment.clear);
-  for (const auto& [image, use] : pass.transfers) touch(image, use, use == Use::transfer_source);
+  for (const auto& [image, use] : pass.transfers)
+    touch(image, use, use == Use::transfer_source || pass.patches);
   return touches;
 }
 

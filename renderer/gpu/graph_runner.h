@@ -103,9 +103,11 @@ public:
   VkCommandBuffer commands() const { return commands_; }
   /// Whether anybody reads what the pass could write there.
   bool live(ImageRef image) const { return bool(image) && context_.plan.images[image.index].live; }
+  /// The same of its stencil alone.
+  bool stencil_live(ImageRef image) const;
   VkImage image(ImageRef image) const;
   void dispatch(const ComputePass& pass);
-  void copy(ImageRef from, ImageRef to);
+  void copy(ImageRef from, ImageRef to, const VkRect2D& part);
   void read_back(size_t place);
 
   /// Between `begin_rendering` and `end_rendering`: the pass's attachments, live ones only.

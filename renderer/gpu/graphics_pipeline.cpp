@@ -20,10 +20,11 @@ VkPipelineDepthStencilStateCreateInfo depth_state(const GraphicsDesc& desc) {
 }
 
 /// An attachment that is left out is not written.
-VkPipelineColorBlendAttachmentState written(VkFormat format) {
+VkPipelineColorBlendAttachmentState attachment_of(const GraphicsDesc& desc, size_t i) {
   constexpr VkColorComponentFlags all = VK_COLOR_COMPONENT_R_BIT | VK_COLOR_COMPONENT_G_BIT |
                                         VK_COLOR_COMPONENT_B_BIT | VK_COLOR_COMPONENT_A_BIT;
-  return {.colorWriteMask = format == VK_FORMAT_UNDEFINED ? 0 : all};
+  const bool written = desc.colours[i] != VK_FORMAT_UNDEFINED && (desc.written >> i & 1) != 0;
+  return {.colorWriteMask = written ? all : 0};
 }
 
 std::string key_of_graphics(const GraphicsDesc& d, VkPipelineLayout layout) {
@@ -31,7 +32,7 @@ std::string key_of_graphics(const GraphicsDesc& d, VkPipelineLayout layout) {
   for (const VkVertexInputAttributeDescription& a : d.vertex_attributes)
     vertex.insert(vertex.end(), {a.location, uint32_t(a.format), a.offset});
   return key_of(d.vertex, d.fragment, list_of(d.constants), list_of(d.colours), list_of(vertex), d.depth,
-                d.writes_stencil, d.compare, d.depth_bias_slope, layout);
+                d.written, d.writes_stencil, d.compare, d.depth_bias_slope, layout);
 }
 
 /// All of a graphics pipeline but its stages: structs that point at each other, so it stays where it is.
@@ -67,7 +68,7 @@ FixedState::FixedState(const GraphicsDesc& desc) : depth(depth_state(desc)) {
             .lineWidth = 1};
   samples = {.sType = VK_STRUCTURE_TYPE_PIPELINE_MULTISAMPLE_STATE_CREATE_INFO,
              .rasterizationSamples = VK_SAMPLE_COUNT_1_BIT};
-  for (const VkFormat format : desc.colours) attachments.push_back(written(format));
+  for (size_t i = 0; i < desc.colours.size(); ++i) attachments.push_back(attachment_of(desc, i));
   blending = {.sType = VK_STRUCTURE_TYPE_PIPELINE_COLOR_BLEND_STATE_CREATE_INFO,
               .attachmentCount = uint32_t(attachments.size()),
               .pAttachments = attachments.data()};

@@ -50,6 +50,21 @@ void PassCommands::push_bindings(VkPipelineBindPoint point, VkPipelineLayout lay
                                            writes.data());
 }
 
+bool PassCommands::stencil_live(ImageRef image) const {
+  const FrameGraph& graph = context_.graph;
+  const auto samples = [&](const Binding& binding) {
+    return binding.use == Use::sampled_stencil && binding.image == image;
+  };
+  const auto reads = [&](const PlannedPass& planned) {
+    return std::ranges::any_of(graph.passes()[planned.pass].bindings, samples);
+  };
+  const auto brings = [&](const FrameGraph::ReadbackRequest& request) {
+    return request.aspect == VK_IMAGE_ASPECT_STENCIL_BIT && request.image == image;
+  };
+  return graph.keeping().all || std::ranges::any_of(context_.plan.passes, reads) ||
+         std::ranges::any_of(graph.readbacks(), brings);
+}
+
 void PassCommands::dispatch(const ComputePass& pass) {
   std::vector<uint32_t> constants;
   for (const Constant& constant : pass.constants) {
@@ -66,12 +81,12 @@ void PassCommands::dispatch(const ComputePass& pass) {
                 (pass.cover.height + pass.group.height - 1) / pass.group.height, 1);
 }
 
-void PassCommands::copy(ImageRef from, ImageRef to) {
-  const ImageDesc& desc = context_.graph.desc(from);
-  const VkImageSubresourceLayers all{aspects_of(desc.format), 0, 0, 1};
-  const VkImageCopy whole{all, {}, all, {}, {desc.extent.width, desc.extent.height, 1}};
+void PassCommands::copy(ImageRef from, ImageRef to, const VkRect2D& part) {
+  const VkImageSubresourceLayers all{aspects_of(context_.graph.desc(from).format), 0, 0, 1};
+  const VkOffset3D corner{part.offset.x, part.offset.y, 0};
+  const VkImageCopy region{all, corner, all, corner, {part.extent.width, part.extent.height, 1}};
   vkCmdCopyImage(commands_, image(from), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, image(to),
-                 VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &whole);
+                 VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &region);
 }
 
 void PassCommands::note(const std::string& shader, const std::vector<uint32_t>& constants,

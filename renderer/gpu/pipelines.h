@@ -22,6 +22,7 @@ struct GraphicsDesc {
   std::vector<uint32_t> constants; // constant_id 0, 1, ... of both stages
   std::vector<VkFormat> colours;   // VK_FORMAT_UNDEFINED: this attachment is left out
   VkFormat depth = VK_FORMAT_UNDEFINED;
+  uint32_t written = ~0u; // of the colours, a bit each: the others stay as they are
   bool writes_stencil = false;
   VkCompareOp compare = VK_COMPARE_OP_GREATER_OR_EQUAL;
   float depth_bias_slope = 0;

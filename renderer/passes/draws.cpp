@@ -24,7 +24,8 @@ GraphicsDesc pipeline_of(const PassCommands& commands, const DrawStyle& style, u
                     .constants = {features, uint32_t(moved)},
                     .colours = commands.colour_formats(),
                     .depth = commands.depth_format(),
-                    .writes_stencil = !style.shadow,
+                    .written = style.written,
+                    .writes_stencil = style.tags,
                     .vertex_binding = {0, sizeof(Vertex), VK_VERTEX_INPUT_RATE_VERTEX},
                     .vertex_attributes = vertex_attributes()};
   if (style.shadow) {
@@ -46,7 +47,7 @@ std::vector<Binding> draw_bindings(const FrameContext& in) {
           buffer(DRAW_TEXTURE_PLACES, in.scene.texture_places.all())};
 }
 
-void record_draws(PassCommands& commands, const FrameContext& in, const std::vector<const Draw*>& draws,
+void record_draws(PassCommands& commands, const FrameContext& in, std::span<const Draw* const> draws,
                   const DrawStyle& style) {
   if (draws.empty()) return;
   const VkCommandBuffer cmd = commands.commands();

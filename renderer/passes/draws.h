@@ -7,14 +7,16 @@ namespace unghost {
 
 struct DrawStyle {
   std::string vertex, fragment;
-  bool shadow = false; // depth alone, biased; `fragment` only where a mask cuts holes
+  bool shadow = false;    // depth alone, biased; `fragment` only where a mask cuts holes
+  bool tags = false;      // into the stencil
+  uint32_t written = ~0u; // as GraphicsDesc has it
 };
 
 /// The bindings of set 0 that drawing needs, FrameConstants included.
 std::vector<Binding> draw_bindings(const FrameContext& in);
 /// Records `draws` with the pipelines that their features ask for; specialization constants: the features,
 /// and whether the object moved.
-void record_draws(PassCommands& commands, const FrameContext& in, const std::vector<const Draw*>& draws,
+void record_draws(PassCommands& commands, const FrameContext& in, std::span<const Draw* const> draws,
                   const DrawStyle& style);
 
 } // namespace unghost

@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "renderer/passes/draws.h"
+#include "shaders/shared/bindings.h"
 
 namespace unghost {
 namespace {
@@ -22,6 +23,18 @@ void decide(FrameGraph& graph, const FrameContext& in, GBuffer& g) {
                           {"tags", traits.tagged ? "this mode asks for none" : "no object is tagged"});
 }
 
+/// shaders/gbuffer.frag is compiled for every set of outputs that there may be.
+DrawStyle style_of(const PassCommands& commands, const GBuffer& gbuffer, bool plain) {
+  DrawStyle style{
+      .vertex = "gbuffer.vert", .fragment = "gbuffer.frag", .tags = commands.stencil_live(gbuffer.depth)};
+  if (plain) style.written = ~(1u << GBUFFER_EMISSIVE | 1u << GBUFFER_MOTION);
+  if (commands.live(gbuffer.albedo)) style.fragment += ".shading";
+  if (commands.live(gbuffer.emissive) && !plain) style.fragment += ".emissive";
+  if (commands.live(gbuffer.object_motion) && !plain) style.fragment += ".motion";
+  if (commands.live(gbuffer.object)) style.fragment += ".object";
+  return style;
+}
+
 } // namespace
 
 GBuffer draw_gbuffer(FrameGraph& graph, const FrameContext& in) {
@@ -38,6 +51,9 @@ GBuffer draw_gbuffer(FrameGraph& graph, const FrameContext& in) {
       .object = image("object ids", VK_FORMAT_R32_UINT),
   };
   decide(graph, in, gbuffer);
+  const bool spares =
+      !graph.needed(in.plain == 0 || !(gbuffer.shines || gbuffer.moves),
+                    {"emissive and motion of what has none", "it is drawn before the rest, over zeros"});
   const VkClearValue zero{};
   std::vector<Attachment> attachments;
   for (const ImageRef target : {gbuffer.albedo, gbuffer.normal, gbuffer.material})
@@ -50,15 +66,12 @@ GBuffer draw_gbuffer(FrameGraph& graph, const FrameContext& in) {
               .kind = PassKind::raster,
               .bindings = draw_bindings(in),
               .attachments = std::move(attachments),
-              .record = [&in, gbuffer](PassCommands& commands) {
+              .record = [&in, gbuffer, spares](PassCommands& commands) {
+                const std::span<const Draw* const> all(in.visible);
+                const size_t plain = spares ? in.plain : 0;
                 commands.begin_rendering();
-                // shaders/gbuffer.frag is compiled for every set of outputs that there may be
-                std::string fragment = "gbuffer.frag";
-                if (commands.live(gbuffer.albedo)) fragment += ".shading";
-                if (commands.live(gbuffer.emissive)) fragment += ".emissive";
-                if (commands.live(gbuffer.object_motion)) fragment += ".motion";
-                if (commands.live(gbuffer.object)) fragment += ".object";
-                record_draws(commands, in, in.visible, {.vertex = "gbuffer.vert", .fragment = fragment});
+                record_draws(commands, in, all.first(plain), style_of(commands, gbuffer, true));
+                record_draws(commands, in, all.subspan(plain), style_of(commands, gbuffer, false));
                 commands.end_rendering();
               }});
   return gbuffer;

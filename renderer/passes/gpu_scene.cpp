@@ -84,9 +84,10 @@ GpuScene::GpuScene(Device& device, const Scene& scene)
                        .tag = node.tag,
                        .double_sided = material.double_sided,
                        .blended = material.alpha_mode == AlphaMode::blend,
+                       .shines = shines(material),
                        .bounds = primitive.bounds});
       traits.tagged |= node.tag != 0;
-      traits.emissive |= shines(material);
+      traits.emissive |= draws.back().shines;
       traits.lit |= !material.unlit;
       traits.masked |= material.alpha_mode == AlphaMode::mask;
       traits.features &= draws.back().features;

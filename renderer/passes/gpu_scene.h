@@ -15,7 +15,8 @@ struct Draw {
   uint32_t features = 0; // bits of frame.h: which pipeline
   uint8_t tag = 0;
   bool double_sided = false, blended = false;
-  Bounds bounds; // object space
+  bool shines = false; // by itself
+  Bounds bounds;       // object space
 };
 
 /// What the scene has at all, found once when it is loaded: a list that is empty is never looped over.

@@ -36,7 +36,8 @@ struct FrameContext {
   BufferSlice previous_eye_from_object;     // the same last frame, from that frame's eye
   BufferSlice lights;                       // LightData
   uint32_t light_count = 0;
-  std::vector<const Draw*> visible; // to the camera, by pipeline, near ones first
+  std::vector<const Draw*> visible; // to the camera: plain ones first, then by pipeline, near ones first
+  size_t plain = 0;                 // so many of them neither move nor shine
   std::vector<const Draw*> casters; // that may throw a shadow into the shadow map's square
   std::vector<uint8_t> moved;       // by object: whether it is elsewhere than last frame
   std::vector<uint8_t> mirrored;    // by object: whether its triangles are turned inside out
@@ -46,6 +47,7 @@ struct FrameContext {
   uint32_t more_features = 0;          // beside each draw's own: bits of frame.h
   uint32_t shadow_texels = 0;          // along a side of the map
   uint64_t shadow_version = 0;         // changes with whatever the shadows of what rests depend on
+  VkRect2D shadows_moved_before;       // texels of the map that moving casters lay in, in the frame before
   std::vector<uint8_t> policy_changed; // by mode: its history is of another policy
   DepthRange tagged;
   bool timed = false;

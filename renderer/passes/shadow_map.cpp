@@ -43,10 +43,13 @@ ImageRef draw_shadow_map(FrameGraph& graph, const FrameContext& in) {
   if (!graph.needed(in.in_view.moving_casters, {"shadows of what moves", "nothing that throws one moves"}))
     return rests.image;
 
-  const ImageRef all = graph.image({.name = "shadows", .format = shadow_format, .extent = side});
-  graph.copy({.name = "copy shadows", .from = rests.image, .to = all});
-  draw_casters(graph, in, "shadows of what moves", true, {all, {}});
-  return all;
+  const Cache all = graph.cache("shadows", {.format = shadow_format, .extent = side}, in.shadow_version);
+  CopyPass copy{.name = "copy shadows", .from = rests.image, .to = all.image};
+  if (!graph.needed(!all.recent, {"shadows where nothing moved", "they are there from the frame before"}))
+    copy.part = in.shadows_moved_before;
+  if (!copy.part || copy.part->extent.width > 0) graph.copy(copy);
+  draw_casters(graph, in, "shadows of what moves", true, {all.image, {}});
+  return all.image;
 }
 
 } // namespace unghost

@@ -9,6 +9,9 @@ SHARED_BEGIN
 // what draws geometry; its set 1 holds a material's textures (TEXTURE_ numbers of frame.h)
 SHARED_CONSTANT DRAW_PREVIOUS = 1;
 SHARED_CONSTANT DRAW_TEXTURE_PLACES = 2;
+// places among the outputs of gbuffer.frag
+SHARED_CONSTANT GBUFFER_EMISSIVE = 3;
+SHARED_CONSTANT GBUFFER_MOTION = 4;
 
 SHARED_CONSTANT MOTION_DEPTH = 1;
 SHARED_CONSTANT MOTION_OF_OBJECTS = 2;

@@ -1,11 +1,11 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <tuple>
 #include <utility>
 
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "renderer/draw_lists.h"
 #include "renderer/frame.h"
 #include "renderer/geometry_sharing.h"
 #include "renderer/pose.h"
@@ -21,16 +21,10 @@ glm::dmat4 relative_to(glm::dvec3 eye, glm::dmat4 world) {
   return world;
 }
 
-struct Objects {
-  std::vector<glm::dmat4> eye_from_object;
-  std::vector<glm::mat4x3> previous_eye_from_object;
-  std::vector<uint8_t> moved, mirrored;
-};
-
-Objects place_objects(const FrameInput& input, const Scene& scene, const GpuScene& gpu,
-                      const std::vector<glm::dmat4>& now) {
+PlacedObjects place_objects(const FrameInput& input, const Scene& scene, const GpuScene& gpu,
+                            const std::vector<glm::dmat4>& now) {
   const std::vector<glm::dmat4> before = pose(scene, input.before);
-  Objects objects;
+  PlacedObjects objects;
   for (const int node : gpu.object_nodes) {
     const glm::dmat4 eye_from_object = relative_to(input.now.eye, now[size_t(node)]);
     const bool moved = now[size_t(node)] != before[size_t(node)];
@@ -40,30 +34,6 @@ Objects place_objects(const FrameInput& input, const Scene& scene, const GpuScen
     objects.mirrored.push_back(glm::determinant(glm::dmat3(eye_from_object)) < 0);
   }
   return objects;
-}
-
-/// Whether some of the box may be seen: not all of its corners lie beyond one and the same side of the
-/// picture.
-bool may_be_seen(const Bounds& box, const glm::dmat4& clip_from_object, glm::dvec2 side = {1, 1}) {
-  int beyond[5] = {};
-  for (const glm::dvec4& corner : corners_of(box)) {
-    const glm::dvec4 clip = clip_from_object * corner;
-    beyond[0] += clip.x < -side.x * clip.w;
-    beyond[1] += clip.x > side.x * clip.w;
-    beyond[2] += clip.y < -side.y * clip.w;
-    beyond[3] += clip.y > side.y * clip.w;
-    beyond[4] += clip.z > clip.w; // before the near plane
-  }
-  for (const int count : beyond)
-    if (count == 8) return false;
-  return true;
-}
-
-/// From the camera to the sphere around the box, or less.
-double distance_to(const Bounds& box, const glm::dmat4& eye_from_object) {
-  const glm::dvec3 middle = eye_from_object * glm::dvec4(glm::dvec3(box.low + box.high) * 0.5, 1);
-  const glm::dvec3 corner = eye_from_object * glm::dvec4(glm::dvec3(box.high), 1);
-  return glm::length(middle) - glm::length(corner - middle);
 }
 
 /// The body's underside hides the sky from the road; wheels reach below it, bumpers and mirrors beyond.
@@ -77,70 +47,6 @@ void describe_underside(FrameConstants& constants, const FrameInput& input, cons
   constants.underside_from_eye =
       glm::dmat4x3(glm::inverse(eye_from_vehicle * glm::translate(glm::dmat4(1), origin)));
   constants.underside_half = glm::dvec2(size.x, size.z) / 2.0 * body;
-}
-
-bool casts_shadow(const Draw& draw) { return (draw.features & IS_UNLIT) == 0 && !draw.blended; }
-
-/// The texels of the shadow map that what lies in `box`, in clip space, may fall in.
-VkRect2D texels_of(const Bounds& box) {
-  if (box.empty()) return {};
-  constexpr glm::dvec2 rounding(2), least(0), most(shadow_texels);
-  const auto texel_of = [&](glm::dvec3 clip) { return (glm::dvec2(clip) * 0.5 + 0.5) * most; };
-  const glm::dvec2 low = glm::clamp(glm::floor(texel_of(box.low)) - rounding, least, most);
-  const glm::dvec2 high = glm::clamp(glm::ceil(texel_of(box.high)) + rounding, least, most);
-  return {{int32_t(low.x), int32_t(low.y)}, {uint32_t(high.x - low.x), uint32_t(high.y - low.y)}};
-}
-
-/// Fills `visible`, `casters` and `in_view`. Returns the texels of the shadow map that moving casters lie in.
-VkRect2D list_draws(FrameGraph& graph, FrameContext& in, const FrameConstants& constants, const GpuScene& gpu,
-                    const Objects& objects) {
-  const glm::dmat4 clip_from_eye(constants.clip_from_eye);
-  glm::dmat4 shadow_clip_from_eye(constants.shadow_from_eye);
-  for (int column = 0; column < 4; ++column)
-    for (int row = 0; row < 2; ++row)
-      shadow_clip_from_eye[column][row] = 2 * shadow_clip_from_eye[column][row] - (column == 3 ? 1 : 0);
-  // Culling does not see the jitter: it could move things by half a pixel.
-  const glm::dvec2 side = 1.0 + 1.0 / glm::dvec2(constants.size_px);
-  std::vector<uint8_t> seen, seen_by_sun;
-  Bounds moving;
-  for (const Draw& draw : gpu.draws) {
-    const glm::dmat4& eye_from_object = objects.eye_from_object[draw.object];
-    const bool moved = objects.moved[draw.object] != 0;
-    seen.push_back(may_be_seen(draw.bounds, clip_from_eye * eye_from_object, side));
-    seen_by_sun.push_back(!casts_shadow(draw) ||
-                          may_be_seen(draw.bounds, shadow_clip_from_eye * eye_from_object));
-    in.in_view.anything |= seen.back() != 0;
-    in.in_view.anything_moved |= moved && seen.back() != 0;
-    if (!moved || !casts_shadow(draw) || seen_by_sun.back() == 0) continue;
-    in.in_view.moving_casters = true;
-    for (const glm::dvec4& corner : corners_of(draw.bounds))
-      moving.add(glm::dvec3(shadow_clip_from_eye * eye_from_object * corner));
-  }
-  const auto needed = [&](const std::vector<uint8_t>& within, const char* what, const char* where) {
-    const auto beyond = std::ranges::count(within, 0);
-    return graph.needed(beyond == 0,
-                        {what, std::to_string(beyond) + " lie beyond the sides of the " + where});
-  };
-  const bool all_seen = needed(seen, "draws out of view", "picture");
-  const bool all_cast = needed(seen_by_sun, "casters out of the map", "shadow map");
-  std::vector<std::pair<double, const Draw*>> by_distance;
-  for (size_t i = 0; i < gpu.draws.size(); ++i) {
-    const Draw& draw = gpu.draws[i];
-    if (all_seen || seen[i] != 0)
-      by_distance.emplace_back(distance_to(draw.bounds, objects.eye_from_object[draw.object]), &draw);
-    if (casts_shadow(draw) && (all_cast || seen_by_sun[i] != 0)) in.casters.push_back(&draw);
-  }
-  const auto is_plain = [&](const Draw& draw) { return !draw.shines && objects.moved[draw.object] == 0; };
-  // What writes fewer images must not hide in the others what was written there before. Then pipelines change
-  // seldom, and within one near things come first, so that what lies behind them is not shaded.
-  std::ranges::stable_sort(by_distance, {}, [&](const auto& one) {
-    return std::tuple(!is_plain(*one.second), one.second->features, one.first);
-  });
-  for (const auto& [distance, draw] : by_distance) {
-    in.visible.push_back(draw);
-    in.plain += is_plain(*draw);
-  }
-  return texels_of(moving);
 }
 
 /// What every pipeline is made with beside what its own draws ask for: a white texture multiplies by 1, and
@@ -200,7 +106,7 @@ std::vector<LightData> place_lights(FrameGraph& graph, const FrameInput& input, 
 }
 
 /// Changes when the map moves, the sun does, or what rests is elsewhere or no longer rests.
-uint64_t version_of(ShadowVersion& version, std::vector<double> place, const Objects& objects,
+uint64_t version_of(ShadowVersion& version, std::vector<double> place, const PlacedObjects& objects,
                     const GpuScene& gpu, const std::vector<glm::dmat4>& now, bool draw_again) {
   for (size_t i = 0; i < objects.moved.size(); ++i) {
     place.push_back(objects.moved[i]);
@@ -217,7 +123,7 @@ uint64_t version_of(ShadowVersion& version, std::vector<double> place, const Obj
 
 /// How deep what is tagged lies before the camera, and how far it reaches from one end to the other; zeros
 /// where nothing is.
-DepthRange tagged_range(const FrameInput& input, const GpuScene& gpu, const Objects& objects) {
+DepthRange tagged_range(const FrameInput& input, const GpuScene& gpu, const PlacedObjects& objects) {
   const glm::dvec3 ahead = input.now.camera * glm::dvec3(0, 0, -1);
   Bounds box;
   double deepest = 0;
@@ -262,7 +168,7 @@ FrameSetup describe_frame(FrameGraph& graph, const FrameInput& given, const Scen
   FrameInput input = given;
   if (input.cut) input.before = input.now; // nothing of before may be used
   const std::vector<glm::dmat4> now = pose(scene, input.now);
-  const Objects objects = place_objects(input, scene, gpu, now);
+  const PlacedObjects objects = place_objects(input, scene, gpu, now);
   const std::vector<LightData> lights = place_lights(graph, input, scene, now);
   FrameConstants constants{};
   describe_camera(constants, input, {0, 0});

@@ -63,11 +63,10 @@ void draw_mode(DemoState& state, const DemoFacts& facts) {
     ImGui::PopID();
   }
   if (state.arrangement != Arrangement::grid) return;
-  if (state.compared.size() < most_compared && ImGui::SmallButton("one more (=)")) compare_one_more(state);
-  if (state.compared.size() > 1) {
-    ImGui::SameLine();
-    if (ImGui::SmallButton("one less (-)")) compare_one_less(state);
-  }
+  const bool more = state.compared.size() < most_compared, less = state.compared.size() > 1;
+  if (more && ImGui::SmallButton("one more (=)")) compare_one_more(state);
+  if (more && less) ImGui::SameLine();
+  if (less && ImGui::SmallButton("one less (-)")) compare_one_less(state);
 }
 
 void draw_scenes(DemoState& state, const std::vector<std::string>& scenes) {

@@ -63,7 +63,7 @@ void draw_mode(DemoState& state, const DemoFacts& facts) {
     ImGui::PopID();
   }
   if (state.arrangement != Arrangement::grid) return;
-  const bool more = state.compared.size() < most_compared, less = state.compared.size() > 1;
+  const bool more = state.compared.size()<most_compared, less = state.compared.size()> 1;
   if (more && ImGui::SmallButton("one more (=)")) compare_one_more(state);
   if (more && less) ImGui::SameLine();
   if (less && ImGui::SmallButton("one less (-)")) compare_one_less(state);
@@ -150,6 +150,14 @@ void draw_scale(DemoState& state) {
   }
 }
 
+std::string images_text(const PassReport& pass) {
+  std::string text = pass.name;
+  for (const PassImage& image : pass.images)
+    text += std::string("\n") + (image.reads ? (image.writes ? "adds to " : "reads ") : "writes ") +
+            image.name + ", " + mib(image.bytes) + " MiB";
+  return text;
+}
+
 void draw_times(DemoState& state, const DemoFacts& facts) {
   draw_chart("device", facts.gpu_ms);
   if (facts.rests) ImGui::TextDisabled("nothing moves: the last picture stays");
@@ -162,6 +170,7 @@ void draw_times(DemoState& state, const DemoFacts& facts) {
   for (const PassReport& pass : facts.frame.passes) {
     ImGui::TableNextRow();
     ImGui::TableNextColumn(), ImGui::TextUnformatted(pass.name.c_str());
+    if (ImGui::IsItemHovered()) tooltip(images_text(pass));
     ImGui::TableNextColumn(), ImGui::TextUnformatted(fixed(pass.ms, 2).c_str());
     ImGui::TableNextColumn(), ImGui::TextUnformatted(mib(pass.image_bytes).c_str());
   }

@@ -210,6 +210,13 @@ std::vector<LeftOut> unread(const FrameGraph& graph, const FramePlan& plan) {
   return left_out;
 }
 
+std::vector<TouchedImage> touched_by(const FrameGraph& graph, const Pass& pass) {
+  std::vector<TouchedImage> images;
+  for (const Touch& touch : touches_of(graph, pass))
+    images.push_back({touch.image, touch.keeps, touch.facts.writes});
+  return images;
+}
+
 void derive_barriers(const FrameGraph& graph, FramePlan& plan, std::span<const uint32_t> place,
                      std::vector<ImageState>& states) {
   std::vector<uint8_t> touched(graph.images().size(), 0);

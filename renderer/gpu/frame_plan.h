@@ -54,6 +54,12 @@ struct FramePlan {
 FramePlan cull(const FrameGraph& graph);
 /// What was declared and is not made because nobody reads it: passes, and images of the passes that run.
 std::vector<LeftOut> unread(const FrameGraph& graph, const FramePlan& plan);
+/// What a pass does with an image, all its uses joined; `reads` also where it adds to what was there.
+struct TouchedImage {
+  ImageRef image;
+  bool reads = false, writes = false;
+};
+std::vector<TouchedImage> touched_by(const FrameGraph& graph, const Pass& pass);
 /// Fills in the barriers. `place[i]` is where graph image i lives, `states[place]` who touched that place
 /// last: before the frame, and after it on return.
 void derive_barriers(const FrameGraph& graph, FramePlan& plan, std::span<const uint32_t> place,

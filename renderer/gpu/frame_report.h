@@ -18,10 +18,20 @@ struct UsedPipeline {
   bool operator==(const UsedPipeline&) const = default;
 };
 
+/// What a pass does with an image.
+struct PassImage {
+  std::string name;
+  uint64_t bytes = 0;
+  bool reads = false, writes = false;
+
+  bool operator==(const PassImage&) const = default;
+};
+
 struct PassReport {
   std::string name;
   double ms = 0;                       // GPU time
   uint64_t image_bytes = 0;            // of the images that it is the first to touch
+  std::vector<PassImage> images;       // but for those that stand for none
   std::vector<UsedPipeline> pipelines; // each once; none for a pass that copies
 };
 

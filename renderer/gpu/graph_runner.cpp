@@ -239,10 +239,27 @@ RunResult GraphRunner::finish() {
   return *land(last);
 }
 
+/// But for those that stand for none.
+std::vector<PassImage> GraphRunner::images_of(const FrameGraph& graph, const FramePlan& plan,
+                                              const std::vector<uint32_t>& places, const Pass& pass) const {
+  std::vector<PassImage> images;
+  for (const auto& [image, reads, writes] : touched_by(graph, pass)) {
+    const uint32_t place = places[image.index];
+    if (place == nowhere || !plan.images[image.index].live || pool_[place].key.starts_with(neutral_prefix))
+      continue;
+    images.push_back({.name = graph.desc(image).name,
+                      .bytes = pool_[place].image->bytes,
+                      .reads = reads,
+                      .writes = writes});
+  }
+  return images;
+}
+
 void GraphRunner::count_images(const FrameGraph& graph, const FramePlan& plan,
                                const std::vector<uint32_t>& places, RunResult& result) const {
   std::map<uint32_t, UsedImage> used; // by place
-  for (size_t i = 0; i < plan.passes.size(); ++i)
+  for (size_t i = 0; i < plan.passes.size(); ++i) {
+    result.passes[i].images = images_of(graph, plan, places, graph.passes()[plan.passes[i].pass]);
     for (size_t image = 0; image < places.size(); ++image) {
       if (places[image] == nowhere || plan.images[image].first_pass != i) continue;
       const Place& place = pool_[places[image]];
@@ -253,6 +270,7 @@ void GraphRunner::count_images(const FrameGraph& graph, const FramePlan& plan,
       here.bytes = place.image->bytes;
       if (first) result.passes[i].image_bytes += here.bytes;
     }
+  }
   for (auto& [place, image] : used) {
     result.image_bytes += image.bytes;
     result.images.push_back(std::move(image));

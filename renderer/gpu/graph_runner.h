@@ -76,6 +76,8 @@ private:
   void replace(Place& place, Place with);
   void prepare_queries(Flight& flight, size_t count) const;
   std::optional<RunResult> land(size_t flight);
+  std::vector<PassImage> images_of(const FrameGraph& graph, const FramePlan& plan,
+                                   const std::vector<uint32_t>& places, const Pass& pass) const;
   void count_images(const FrameGraph& graph, const FramePlan& plan, const std::vector<uint32_t>& places,
                     RunResult& result) const;
 

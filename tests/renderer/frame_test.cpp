@@ -77,6 +77,21 @@ TEST_F(Frame, ShadowsFollowWhatRestsElsewhereAfterACut) {
   EXPECT_EQ(after.delivered[0].image.values, fresh.render(frozen(30)).delivered[0].image.values);
 }
 
+TEST_F(Frame, APassSaysWhichImagesItReadsAndWrites) {
+  FrameResult result;
+  for (int frame = 0; frame < 2; ++frame)
+    result = studio->renderer.render(studio->frame("drive", frame, {run_of("blend")}, {{Output::display}}));
+  const auto resolve = std::ranges::find(result.passes, "taa blend", &PassReport::name);
+  ASSERT_NE(resolve, result.passes.end());
+  std::set<std::string> read, written;
+  for (const PassImage& image : resolve->images) {
+    EXPECT_GE(image.bytes, 320u * 180 * 4) << image.name;
+    (image.reads ? read : written).insert(image.name);
+  }
+  EXPECT_EQ(read, (std::set<std::string>{"last frame's history 0", "lit", "motion"}));
+  EXPECT_EQ(written, (std::set<std::string>{"history 0"}));
+}
+
 TEST_F(Frame, AnySizeAndAnotherOneEveryFrame) {
   constexpr std::pair<uint32_t, uint32_t> sizes[] = {{1, 1}, {1, 720}, {4097, 3}, {37, 23}, {1, 1}, {64, 36}};
   for (int frame = 0; frame < int(std::size(sizes)); ++frame) {

@@ -105,6 +105,22 @@ TEST_F(DemoPath, OtherSizesAndAComparisonArePartOfIt) {
             0);
 }
 
+/// Where nothing moves, shadows are kept from frame to frame, and those of before are no part of a recording.
+TEST_F(DemoPath, WhatRestsIsRecordedFromAColdStart) {
+  configure({{"rig", "still"}, {"shown", "off"}});
+  DemoRun run = started();
+  for (const int to : {140, 120, 180, 160}) {
+    run.window().drag({100, 60}, {to, 90});
+    draw_more(run, 2);
+  }
+  run.press("o", "recording");
+  draw_more(run, 3);
+  end(run);
+  expect_left_in_silence(run);
+  EXPECT_EQ(without_window({"capture", "--replay", "unghost-path-1.json", "-o", "replayed.png"}), 0);
+  expect_same("replayed.png", "unghost-1.png");
+}
+
 TEST_F(DemoPath, ARecordingIsWrittenWhereTheDemoIsLeft) {
   DemoRun run = started();
   run.press("o", "recording");

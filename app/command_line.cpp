@@ -90,8 +90,8 @@ void add_options(CLI::App& app, const CommandRow& row, CommandLine& line) {
   if (row.options & device) add_device(app, line);
   if (row.options & replayed)
     app.add_option("--replay", line.replay,
-                   "A path that the demo recorded: scene, settings, sizes and modes are its own; of modes, "
-                   "others can be named")
+                   "A path that the demo recorded: scene, rig, sizes, settings and modes are its own; --set "
+                   "and --view change them in all frames, and other modes can be named")
         ->check(no_option);
   if (row.options & one_mode)
     app.add_option("--mode", line.mode, "Which temporal resolve (default grand-tour)");

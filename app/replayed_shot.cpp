@@ -1,7 +1,9 @@
 #include "app/replayed_shot.h"
 
+#include <algorithm>
 #include <utility>
 
+#include "app/assignments.h"
 #include "app/commands.h"
 #include "app/demo/recording_file.h"
 
@@ -12,15 +14,38 @@ namespace {
 bool is_window(const CommandLine& line) { return (line.command->options & picture) == 0; }
 
 void check_words(const CommandLine& line) {
-  const std::pair<bool, const char*> recorded[] = {
-      {line.scene.has_value(), "a scene"},    {line.rig.has_value(), "--rig"},
-      {line.seed.has_value(), "--seed"},      {line.size.has_value() && !is_window(line), "--size"},
-      {!line.settings.empty(), "--settings"}, {line.view.has_value(), "--view"},
-      {!line.assignments.empty(), "--set"}};
+  const std::pair<bool, const char*> recorded[] = {{line.scene.has_value(), "a scene"},
+                                                   {line.rig.has_value(), "--rig"},
+                                                   {line.seed.has_value(), "--seed"},
+                                                   {line.size.has_value() && !is_window(line), "--size"},
+                                                   {!line.settings.empty(), "--settings"}};
   for (const auto& [given, word] : recorded)
     if (given)
       throw WrongWords(std::string(word) + " does not go with --replay: " + line.replay.string() +
                        " says it");
+}
+
+/// Returns those that have no effect on what is shown.
+std::vector<Assignment> apply_to(Look& look, std::span<const Assignment> assignments) {
+  std::vector<ModeRun> modes = shown_modes(look);
+  std::vector<Assignment> unused = apply_assignments(assignments, look.settings, modes);
+  if (const auto why = refusal(look.settings, modes)) throw SettingError(*why);
+  for (size_t i = 0; i < modes.size(); ++i) look.modes[look.shown[i]] = std::move(modes[i]);
+  return unused;
+}
+
+// A recording shows now this, now that: one that has an effect in some of its frames is none too many.
+void set_in_all_frames(const CommandLine& line, Recording& recording) {
+  std::vector<Assignment> assignments;
+  for (const std::string& text : line.assignments) assignments.push_back({.text = text});
+  std::vector<Assignment> unused = assignments;
+  for (Look& look : recording.looks) {
+    const std::vector<Assignment> here = apply_to(look, assignments);
+    std::erase_if(unused, [&](const Assignment& each) {
+      return std::ranges::count(here, each.text, &Assignment::text) == 0;
+    });
+  }
+  if (!unused.empty()) throw SettingError(without_effect(unused.front()));
 }
 
 uint32_t frames_of(const CommandLine& line, const Recording& recording) {
@@ -51,6 +76,7 @@ Shot replayed_shot(const CommandLine& line) {
   check_words(line);
   Recording recording = load_recording(line.replay);
   if (const std::vector<std::string> names = named_modes(line); !names.empty()) show_only(recording, names);
+  set_in_all_frames(line, recording);
   Shot shot{.command = std::string(line.command->name),
             .scene = recording.scene,
             .seed = recording.seed,
@@ -61,8 +87,9 @@ Shot replayed_shot(const CommandLine& line) {
   shot.rig = last.moment.rig;
   shot.size = last.moment.size;
   shot.settings = look.settings;
-  for (const size_t mode : look.shown) shot.modes.push_back(look.modes[mode]);
-  shot.replay = {.file = line.replay.string(), .recording = std::move(recording)};
+  shot.modes = shown_modes(look);
+  shot.replay = {
+      .file = line.replay.string(), .assignments = line.assignments, .recording = std::move(recording)};
   check_choice(line, shot);
   return shot;
 }

@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/assignments.h"
 #include "app/commands.h"
 #include "app/failure.h"
 #include "app/files.h"
@@ -26,12 +27,6 @@ constexpr uint32_t explained_frames = 8; // a history, and a whole cycle of most
 const std::vector<std::string> default_comparison = {"off", "blend", "uncharted", "grand-tour"};
 
 ModeRun mode_run(const std::string& name) { return {.name = name, .taa = settings_for_mode(name).taa}; }
-
-Settings settings_of(const ModeRun& run) {
-  Settings settings;
-  settings.taa = run.taa;
-  return settings;
-}
 
 std::vector<ModeRun> default_modes(const CommandRow& command) {
   std::vector<ModeRun> runs;
@@ -131,14 +126,6 @@ void choose_modes(const CommandLine& line, const std::vector<ModeRun>& of_file, 
   }
 }
 
-/// One setting that was asked for, by --set or by a settings file.
-struct Assignment {
-  std::string text; // name=value
-  bool of_file = false;
-
-  const Setting& row() const { return find_setting(text.substr(0, text.find('='))); }
-};
-
 std::vector<Assignment> assignments_in(const json& file) {
   std::vector<Assignment> assignments;
   Settings settings;
@@ -181,35 +168,12 @@ std::vector<Assignment> apply_file_and_words(const CommandLine& line, Shot& shot
   throw SettingError(sentence);
 }
 
-// Those of a mode keep their value where the mode does not read them; one that none reads is refused.
-void keep_what_is_used(const CommandLine& line, const Shot& shot, const Assignment& assignment,
-                       std::vector<Settings>& asked) {
-  const Setting& row = assignment.row();
-  bool used = false;
-  for (size_t i = 0; i < asked.size(); ++i)
-    if (!row.used.holds || row.used.holds(asked[i]))
-      used = true;
-    else if (row.per_mode)
-      row.write(asked[i], row.read(settings_of(shot.modes[i])));
-  if (!used)
-    refuse(line, assignment.of_file, assignment.text + " has no effect: " + std::string(row.used.otherwise));
-}
-
 // An assignment reaches the modes that it has an effect on, and is refused where it has one on none.
-void apply_assignments(const CommandLine& line, const std::vector<Assignment>& assignments, Shot& shot) {
-  for (const Assignment& each : assignments) apply_setting(shot.settings, each.text);
-  std::vector<Settings> asked;
-  for (const ModeRun& run : shot.modes) {
-    Settings& settings = asked.emplace_back(shot.settings);
-    settings.taa = run.taa;
-    for (const Assignment& each : assignments) apply_setting(settings, each.text);
-  }
-  for (const Assignment& each : assignments) keep_what_is_used(line, shot, each, asked);
-  for (size_t i = 0; i < asked.size(); ++i) {
-    if (const auto why = refusal(asked[i]))
-      refuse(line, !line.settings.empty() && line.assignments.empty(), shot.modes[i].name + ": " + *why);
-    shot.modes[i].taa = asked[i].taa;
-  }
+void set_asked(const CommandLine& line, const std::vector<Assignment>& assignments, Shot& shot) {
+  const std::vector<Assignment> unused = apply_assignments(assignments, shot.settings, shot.modes);
+  if (!unused.empty()) refuse(line, unused.front().of_file, without_effect(unused.front()));
+  if (const auto why = refusal(shot.settings, shot.modes))
+    refuse(line, !line.settings.empty() && line.assignments.empty(), *why);
 }
 
 // Errors are taken of modes that jitter alike.
@@ -268,7 +232,7 @@ Shot shot_from(const CommandLine& line) {
   }
   if (line.command->options & timed) drop_jitter(line, assignments, shot);
   if (line.command->options & figures) refuse_jitter(line, assignments);
-  apply_assignments(line, assignments, shot);
+  set_asked(line, assignments, shot);
   return shot;
 }
 
@@ -278,6 +242,7 @@ json shot_json(const Shot& shot, uint32_t frames) {
                  {"seed", shot.seed},          {"frames", frames},
                  {"size", text_of(shot.size)}, {"settings", json::object()}};
   if (shot.replay) object["replay"] = shot.replay->file;
+  if (shot.replay && !shot.replay->assignments.empty()) object["set"] = shot.replay->assignments;
   Settings settings = shot.settings;
   if (shot.command == "capture") {
     settings.taa = shot.modes.front().taa;

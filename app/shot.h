@@ -30,7 +30,8 @@ struct Shot {
   /// Where the frames are a path's; rig, size, settings and modes are then its last drawn frame's.
   struct Replay {
     std::string file;
-    Recording recording;
+    Words assignments;   // over what was recorded, in all frames
+    Recording recording; // with them
   };
   std::optional<Replay> replay;
 };

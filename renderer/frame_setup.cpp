@@ -105,7 +105,8 @@ std::vector<LightData> place_lights(FrameGraph& graph, const FrameInput& input, 
   return lights;
 }
 
-/// Changes when the map moves, the sun does, or what rests is elsewhere or no longer rests.
+/// Changes when the map moves, the sun does, or what rests is elsewhere or no longer rests. A map that is
+/// kept was rounded where the eye was then: a cut, which shows nothing of before, draws it again.
 uint64_t version_of(ShadowVersion& version, std::vector<double> place, const PlacedObjects& objects,
                     const GpuScene& gpu, const std::vector<glm::dmat4>& now, bool draw_again) {
   for (size_t i = 0; i < objects.moved.size(); ++i) {
@@ -198,8 +199,8 @@ FrameSetup describe_frame(FrameGraph& graph, const FrameInput& given, const Scen
                   .sun_shines = shows_sun(input),
                   .more_features = features_of_all(graph, gpu.traits),
                   .shadow_texels = shadow_texels,
-                  .shadow_version =
-                      version_of(before.shadows, map_place, objects, gpu, now, input.keeps_nothing),
+                  .shadow_version = version_of(before.shadows, map_place, objects, gpu, now,
+                                               input.keeps_nothing || input.cut),
                   .shadows_moved_before = {},
                   .policy_changed = changes_of(before.policies, input.modes),
                   .tagged = tagged_range(input, gpu, objects),

@@ -7,14 +7,13 @@
 
 #include "app/demo/demo_command.h"
 #include "app/demo/demo_file.h"
-#include "app/demo/render_scale.h"
 #include "app/failure.h"
 #include "app/files.h"
 #include "app/interruption.h"
 #include "app/label.h"
-#include "app/measure/quantile.h"
 #include "app/png_file.h"
 #include "app/shot.h"
+#include "renderer/spelling.h"
 
 namespace unghost {
 namespace {
@@ -22,13 +21,14 @@ namespace {
 constexpr PictureSize usual_size{960, 540};
 constexpr double usual_width_of_text = 1280; // pixels of a window at which text has its usual size, or less
 constexpr double message_seconds = 1.5, seconds_a_letter = 0.06; // a sentence takes longer to read
-constexpr double idle_seconds = 0.05;
 
 /// What was kept from the last run, and above it what the words say.
 DemoState state_from(const CommandLine& line, Console& console) {
   auto [state, complaint] = load_demo(config_file());
   if (!complaint.empty()) console.err << complaint << "\n";
   if (!line.replay.empty()) return state; // as it is to be kept
+  const float speed = state.settings.stage.speed;
+  if (!line.scene) state.settings.stage = {.speed = speed}; // what shaped a model is of no use without it
   const Shot shot = shot_from(line);
   const bool named = line.mode || !line.settings.empty() || !line.assignments.empty();
   if (line.scene || !line.settings.empty()) state.scene = shot.scene;
@@ -83,121 +83,6 @@ PicturePlace Demo::place() const {
                      .arrangement = state_.arrangement,
                      .split = state_.split,
                      .magnifier = state_.magnifier}};
-}
-
-Moment Demo::next_moment() {
-  if (replay_) return replayed_moment();
-  const ScreenCell cell = cells_of(place().screen, shown().size()).front();
-  const auto drawn_of = [&](int shown_px) {
-    return std::max(1u, uint32_t(std::lround(shown_px * state_.render_scale)));
-  };
-  return {.rig = state_.rig,
-          .rig_frame = state_.rig_frame,
-          .camera = state_.camera,
-          .index = drawn_,
-          .size = {.width = drawn_of(cell.picture.width), .height = drawn_of(cell.picture.height)},
-          .cut = !last_ || state_.requests.drop_history || last_rig_ != state_.rig};
-}
-
-FrameInput Demo::next_frame(const Moment& moment) {
-  context_.stage = state_.settings.stage, context_.light = state_.settings.light, context_.seed = state_.seed;
-  std::vector<ModeRun> modes;
-  for (const size_t mode : shown()) modes.push_back(state_.modes[mode]);
-  const Instant now = instant_of(moment, context_);
-  FrameInput input = frame_input(moment, now, last_.value_or(now), state_.settings, std::move(modes));
-  input.screen = place().screen;
-  facts_.picture_width = input.width, facts_.picture_height = input.height;
-  input.probe = probe(input.modes.size());
-  return input;
-}
-
-/// The next one follows it.
-void Demo::go_on_after(const Moment& moment, const Instant& now) {
-  last_ = now;
-  last_rig_ = state_.rig;
-  state_.rig_frame_shown = moment.rig_frame;
-  state_.rig_frame += state_.moving;
-  state_.requests.drop_history = false;
-  ++drawn_;
-  follow_replay();
-}
-
-std::optional<ProbeInput> Demo::probe(size_t modes) const {
-  if (!state_.picked) return {};
-  const glm::ivec2 pixel = pixel_of(*state_.picked, {facts_.picture_width, facts_.picture_height});
-  const size_t mode = state_.picked->mode;
-  return ProbeInput{.mode = mode < modes ? mode : 0, .x = uint32_t(pixel.x), .y = uint32_t(pixel.y)};
-}
-
-void Demo::look_for_rest() { stillness_.emplace(!renderer_->scene().animations.empty()); }
-
-/// What was drawn last, under the bar and the magnifier of now.
-void Demo::show_what_rests() {
-  probe_what_rests();
-  renderer_->show_again(place().screen, swapchain_);
-  std::this_thread::sleep_for(std::chrono::duration<double>(idle_seconds));
-}
-
-/// No frame brings it.
-void Demo::probe_what_rests() {
-  const std::optional<ProbeInput> asked = probe(shown().size());
-  if (!asked || asked == probed_) return;
-  facts_.pixel = renderer_->probe_again(*asked);
-  probed_ = asked;
-}
-
-bool Demo::fit_window() {
-  const VkExtent2D wanted = window_.pixels(), is = swapchain_.extent();
-  if (wanted.width == 0 || wanted.height == 0) return false;
-  if (wanted.width == is.width && wanted.height == is.height) return true;
-  swapchain_.resize(wanted);
-  gui_.window_changed(swapchain_);
-  return swapchain_.extent().width > 0;
-}
-
-void Demo::note(const FrameResult& result) {
-  if (result.probe) facts_.pixel = result.probe;
-  facts_.frame = result;
-  if (line_.timings) times_.note(result);
-  double sum = 0;
-  for (const PassReport& pass : result.passes) sum += pass.ms;
-  facts_.gpu_ms.push_back(float(sum));
-  if (facts_.gpu_ms.size() > charted_frames) facts_.gpu_ms.pop_front();
-  if (state_.frame_ms && drawn_ % frames_between_scales == 0) {
-    std::vector<double> last(facts_.gpu_ms.end() -
-                                 ptrdiff_t(std::min<size_t>(facts_.gpu_ms.size(), frames_between_scales / 2)),
-                             facts_.gpu_ms.end());
-    state_.render_scale = next_scale(state_.render_scale, quantile(last, 0.5), *state_.frame_ms);
-  }
-}
-
-void Demo::draw() {
-  if (!fit_window()) {
-    std::this_thread::sleep_for(std::chrono::duration<double>(idle_seconds));
-    return;
-  }
-  swapchain_.picture_x = uint32_t(place().at.x);
-  if (!state_.picked) facts_.pixel.reset();
-  const bool goes_on = !state_.paused || state_.requests.step;
-  if (!goes_on && last_) return show_what_rests();
-  state_.requests.step = false;
-  const Moment moment = next_moment();
-  const FrameInput input = next_frame(moment);
-  facts_.rests = stillness_->frames_left(input) == 0 && renderer_->has_shown() && !replay_;
-  if (facts_.rests) {
-    go_on_after(moment, input.now); // what stays stands for a frame that looks the same
-    return show_what_rests();
-  }
-  probed_.reset();
-  const uint64_t before = renderer_->frames();
-  const std::optional<FrameResult> result = renderer_->show(input, swapchain_);
-  if (renderer_->frames() > before) {
-    record(moment);
-    go_on_after(moment, input.now);
-  } else { // the window has changed
-    look_for_rest();
-  }
-  if (result) note(*result);
 }
 
 void Demo::say_event(const char* event, const std::string& action) const {
@@ -278,30 +163,45 @@ void Demo::answer_requests() {
   }
 }
 
+bool Demo::is_over() {
+  if (line_.frames && drawn_ >= *line_.frames) return true;
+  return std::exchange(state_.requests.leave, false) && !keeps_window_open();
+}
+
+void Demo::turn() {
+  throw_if_interrupted();
+  react();
+  answer_requests();
+  load_asked_scene();
+  look_for_changes();
+  describe();
+  const auto began = Clock::now();
+  const bool begins = drawn_ == 0;
+  draw();
+  if (begins && drawn_ > 0) say_event("ready", {}); // once, however long that frame stays the last one
+  // no display throttles everywhere
+  std::this_thread::sleep_until(
+      began + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds_per_frame)));
+  facts_.frame_ms.push_back(float(1000 * seconds_since(frame_began_)));
+  if (facts_.frame_ms.size() > charted_frames) facts_.frame_ms.pop_front();
+  frame_began_ = Clock::now();
+}
+
 void Demo::run() {
-  while (!state_.requests.leave && (!line_.frames || drawn_ < *line_.frames)) {
-    throw_if_interrupted();
-    react();
-    answer_requests();
-    load_asked_scene();
-    look_for_changes();
-    describe();
-    const auto began = Clock::now();
-    const bool begins = drawn_ == 0;
-    draw();
-    if (begins && drawn_ > 0) say_event("ready", {}); // once, however long that frame stays the last one
-    // no display throttles everywhere
-    std::this_thread::sleep_until(began + std::chrono::duration_cast<Clock::duration>(
-                                              std::chrono::duration<double>(seconds_per_frame)));
-    facts_.frame_ms.push_back(float(1000 * seconds_since(frame_began_)));
-    if (facts_.frame_ms.size() > charted_frames) facts_.frame_ms.pop_front();
-    frame_began_ = Clock::now();
+  try {
+    while (!is_over()) turn();
+  } catch (...) { // Ctrl-C, or a device that is lost: the path that led there is written
+    if (const std::string loss = loss_of_recording(); !loss.empty())
+      console_.err << "unghost: " << loss << "\n";
+    throw;
   }
-  end_recording("");
+  std::vector<std::string> lost;
+  if (const std::string loss = loss_of_recording(); !loss.empty()) lost.push_back(loss);
   device_.wait_idle();
-  save_demo(kept_state(), config_file());
+  if (const auto fault = fault_of([&] { save_demo(kept_state(), config_file()); })) lost.push_back(*fault);
   if (line_.timings) console_.err << times_.text();
   report_validation(console_.err, device_.validation_messages());
+  if (!lost.empty()) throw Failure(Exit::failed, joined(lost, "; "));
 }
 
 void demo(const CommandLine& line, Console& console) { Demo(line, console).run(); }

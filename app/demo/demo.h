@@ -33,6 +33,14 @@ private:
     bool announced = false;
   };
 
+  /// A recording that is made, or was and could not be written.
+  struct Unwritten {
+    Recorder recorder;
+    std::string end{};   // why no frame can follow; empty while they do
+    std::string fault{}; // why it was not written
+    bool warned = false; // that it would be lost
+  };
+
   /// A recording that is drawn again.
   struct Replay {
     Recording recording;
@@ -66,10 +74,14 @@ private:
   FrameInput next_frame(const Moment& moment);
   void go_on_after(const Moment& moment, const Instant& now);
   void note(const FrameResult& result);
+  void hold_frame_time();
   void say_event(const char* event, const std::string& action) const;
   void record_or_end();
-  void record(const Moment& moment); // a frame that was drawn
-  void end_recording(const std::string& why);
+  void record(const Moment& moment);          // a frame that was drawn
+  void end_recording(const std::string& why); // of itself; empty where a person ends it
+  void write_recording();
+  std::string loss_of_recording(); // with the window
+  bool keeps_window_open();        // for a recording that would be lost
   void replay_or_end();
   Recording named_recording(); // by the words; the state becomes what it begins with
   void begin_replay(Recording recording);
@@ -78,6 +90,8 @@ private:
   void follow_replay();     // by the frame that was drawn
   void leave_path(const std::string& why);
   DemoState kept_state() const; // what is there on the next start
+  bool is_over();
+  void turn(); // of the loop
   PicturePlace place() const;
   std::vector<size_t> shown() const; // of the state's modes, as the frame has them
   double seconds_since(Clock::time_point then) const;
@@ -102,7 +116,7 @@ private:
   std::optional<Instant> last_; // what was drawn before
   std::string last_rig_;
   uint64_t drawn_ = 0;
-  std::optional<Recorder> recorder_;
+  std::optional<Unwritten> unwritten_;
   std::optional<Replay> replay_;
   std::optional<DemoState> own_; // the person's, where the words name a recording
   Clock::time_point frame_began_ = Clock::now(), message_since_;

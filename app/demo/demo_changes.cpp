@@ -75,7 +75,9 @@ void Demo::compile_shaders() {
 
 std::string Demo::lasting_message() const {
   if (compiling()) return "compiling shaders";
-  return shader_build_ ? shader_build_->fault() : "";
+  if (shader_build_ && !shader_build_->fault().empty()) return shader_build_->fault();
+  const bool waits = unwritten_ && !unwritten_->end.empty();
+  return waits ? unwritten_->fault + "; O tries again" : "";
 }
 
 void Demo::look_for_changes() {

@@ -16,7 +16,6 @@ namespace fs = std::filesystem;
 using nlohmann::json;
 
 constexpr size_t file_limit = 1 << 20; // bytes; all settings of all modes are some 20,000
-constexpr size_t most_compared = 3;
 constexpr double least_scale = 0.5, longest_frame_ms = 1000;
 
 /// What one key of the file holds.

@@ -16,6 +16,8 @@ void add_to(std::string& message, const std::string& sentence) {
   message += (message.empty() ? "" : "; ") + sentence;
 }
 
+std::string in_brackets(const std::string& why) { return why.empty() ? "" : " (" + why + ")"; }
+
 /// What decides the first frame, but for its moment.
 void take_start(DemoState& state, const Recording& recording) {
   state.scene = recording.scene;
@@ -27,41 +29,63 @@ void take_start(DemoState& state, const Recording& recording) {
 
 void Demo::record_or_end() {
   state_.message.clear();
-  if (recorder_) return end_recording("");
+  if (unwritten_) return end_recording("");
   state_.message = "recording";
-  recorder_.emplace(state_.scene, state_.seed);
+  unwritten_ = Unwritten{.recorder = Recorder(state_.scene, state_.seed)};
   state_.recorded = 0;
   state_.requests.drop_history = true; // what was before is not part of it
 }
 
 void Demo::record(const Moment& moment) {
-  if (!recorder_) return;
+  if (!unwritten_ || !unwritten_->end.empty()) return;
+  Recorder& recorder = unwritten_->recorder;
   const Look look = look_of(state_, shown());
-  if (const std::string why = recorder_->why_not(look); !why.empty()) return end_recording(why);
-  recorder_->add(moment, look);
-  state_.recorded = recorder_->frames();
+  if (const std::string why = recorder.why_not(look); !why.empty()) return end_recording(why);
+  recorder.add(moment, look);
+  state_.recorded = recorder.frames();
 }
 
-/// A file that cannot be written now can be asked for again, unless the recording cannot go on.
-void Demo::end_recording(const std::string& why) {
-  if (!recorder_) return;
-  const std::string end = why.empty() ? "" : " (" + why + ")";
-  try {
-    if (recorder_->frames() > 0) {
-      const std::filesystem::path file = free_name("unghost-path", ".json");
-      write_file(file, bytes_of(recorder_->text()));
-      state_.path_file = file.string();
-      add_to(state_.message, file.string() + ": " + frames_text(recorder_->frames()) + end);
-    } else {
-      add_to(state_.message, "nothing was recorded" + end);
-    }
-    recorder_.reset();
-  } catch (const Failure& failure) {
-    add_to(state_.message, failure.what() + end);
-    if (!why.empty()) recorder_.reset();
+void Demo::write_recording() {
+  const size_t frames = unwritten_->recorder.frames();
+  std::string said = "nothing was recorded";
+  if (frames > 0) {
+    const std::filesystem::path file = free_name("unghost-path", ".json");
+    write_file(file, bytes_of(unwritten_->recorder.text()));
+    state_.path_file = file.string();
+    said = file.string() + ": " + frames_text(frames);
   }
-  if (!recorder_) state_.recorded.reset();
+  add_to(state_.message, said + in_brackets(unwritten_->end));
+  unwritten_.reset();
+}
+
+/// What cannot be written now can be asked for again. One that a person ends goes on meanwhile.
+void Demo::end_recording(const std::string& why) {
+  if (!unwritten_) return;
+  if (unwritten_->end.empty()) unwritten_->end = why;
+  try {
+    write_recording();
+  } catch (const Failure& failure) {
+    unwritten_->fault = failure.what() + in_brackets(unwritten_->end);
+    add_to(state_.message, unwritten_->fault);
+  }
+  if (!unwritten_ || !unwritten_->end.empty()) state_.recorded.reset();
   say_event("path", "recorded");
+}
+
+/// Why it is lost; empty where nothing is. Nobody reads a message any more.
+std::string Demo::loss_of_recording() {
+  end_recording("");
+  return unwritten_ ? unwritten_->fault : "";
+}
+
+/// Once, so that there can be made room for it.
+bool Demo::keeps_window_open() {
+  if (!unwritten_ || unwritten_->warned) return false;
+  state_.message.clear();
+  end_recording("");
+  if (!unwritten_) return false;
+  add_to(state_.message, "to leave once more is to lose it");
+  return unwritten_->warned = true;
 }
 
 Recording Demo::named_recording() {

@@ -28,7 +28,7 @@ std::vector<size_t> modes_seen(const DemoState& state) {
   std::vector<size_t> seen = {state.mode};
   if (state.arrangement == Arrangement::single) return seen;
   seen.insert(seen.end(), state.compared.begin(), state.compared.end());
-  const size_t most = state.arrangement == Arrangement::grid ? 4 : 2;
+  const size_t most = state.arrangement == Arrangement::grid ? most_compared + 1 : 2;
   seen.resize(std::min(seen.size(), most));
   return seen;
 }

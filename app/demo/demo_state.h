@@ -49,13 +49,16 @@ struct Bookmark {
 };
 constexpr size_t most_bookmarks = 100;
 
+/// Beside the mode that is shown.
+constexpr size_t most_compared = 3;
+
 struct DemoState {
   std::string scene = own_scene, rig = "drive";
   uint64_t seed = 1;
   Settings settings;            // what all modes share; its taa is not read
   std::vector<ModeRun> modes;   // every row of the table, as it has been changed
   size_t mode = 0;              // of `modes`: what is shown, or the first of what is compared
-  std::vector<size_t> compared; // of `modes`: what stands beside it, from one to three
+  std::vector<size_t> compared; // of `modes`: what stands beside it, from one to most_compared
   size_t shown_before = 0;      // of `modes`: what TAA is switched on to again
   Arrangement arrangement = Arrangement::single;
   double split = 0.5;   // where the bar stands, a share of the width
@@ -99,7 +102,6 @@ void compare_with(DemoState& state, size_t place, size_t mode);
 void compare_one_more(DemoState& state);
 /// The least is one beside the shown one.
 void compare_one_less(DemoState& state);
-constexpr size_t most_compared = 3;
 /// Whether the shown mode has a setting that its row of the table has not.
 bool is_changed(const DemoState& state);
 /// The shown mode as its row of the table has it.

@@ -59,6 +59,12 @@ void take_look(DemoState& state, const Look& look) {
   if (look.shown.size() > 1) state.compared.assign(look.shown.begin() + 1, look.shown.end());
 }
 
+std::vector<ModeRun> shown_modes(const Look& look) {
+  std::vector<ModeRun> modes;
+  for (const size_t mode : look.shown) modes.push_back(look.modes[mode]);
+  return modes;
+}
+
 bool same_stage(StageSettings a, const StageSettings& b) {
   a.speed = b.speed;
   return a == b;
@@ -67,10 +73,9 @@ bool same_stage(StageSettings a, const StageSettings& b) {
 FrameInput frame_input(const Recording& recording, const RigContext& fit, size_t index) {
   const Recording::Frame& frame = recording.frames[index];
   const Look& look = recording.looks[frame.look];
-  std::vector<ModeRun> modes;
-  for (const size_t mode : look.shown) modes.push_back(look.modes[mode]);
   return frame_input(frame.moment, instant_in(recording, fit, index),
-                     instant_in(recording, fit, index == 0 ? 0 : index - 1), look.settings, std::move(modes));
+                     instant_in(recording, fit, index == 0 ? 0 : index - 1), look.settings,
+                     shown_modes(look));
 }
 
 void show_only(Recording& recording, std::span<const std::string> modes) {

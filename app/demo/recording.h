@@ -45,6 +45,8 @@ Look usual_look();
 /// `shown`: of the state's modes.
 Look look_of(const DemoState& state, std::vector<size_t> shown);
 void take_look(DemoState& state, const Look& look);
+/// As the look has them, in the order in which they are shown.
+std::vector<ModeRun> shown_modes(const Look& look);
 /// Whether no scene has to be loaded between the two: a vehicle's speed is the rig's.
 bool same_stage(StageSettings a, const StageSettings& b);
 

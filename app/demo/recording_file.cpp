@@ -18,7 +18,7 @@ using nlohmann::json;
 
 constexpr const char* format_name = "unghost path";
 constexpr uint64_t format_version = 1;
-constexpr size_t most_shown = 4;
+constexpr size_t most_shown = most_compared + 1;
 // What this program writes takes more bytes for each.
 constexpr size_t most_commas = recording_limit / 4, most_brackets = recording_limit / 16;
 constexpr size_t room_for_a_frame = 64 << 10; // bytes; all settings of all modes are some 20,000

@@ -187,7 +187,12 @@ void Window::toggle_full_screen() {
     glfwSetWindowMonitor(window_, monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
 }
 
-bool Window::closed() const { return glfwWindowShouldClose(window_) == GLFW_TRUE; }
+bool Window::closed() {
+  const bool asked = glfwWindowShouldClose(window_) == GLFW_TRUE;
+  glfwSetWindowShouldClose(window_, GLFW_FALSE);
+  return asked;
+}
+
 void Window::title(const std::string& text) { glfwSetWindowTitle(window_, text.c_str()); }
 void Window::copy(const std::string& text) { glfwSetClipboardString(window_, text.c_str()); }
 

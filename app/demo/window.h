@@ -64,7 +64,7 @@ public:
   double scale() const;
   bool full_screen() const;
   void toggle_full_screen();
-  bool closed() const;
+  bool closed(); // since the last look
   void title(const std::string& text);
   void copy(const std::string& text);
   GLFWwindow* handle() const { return window_; }

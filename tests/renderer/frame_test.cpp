@@ -57,6 +57,15 @@ TEST_F(Frame, ShadowsOfWhatRestsAreDrawnOnce) {
   EXPECT_EQ(count(passes("pass", {run_of("blend")}, {Output::display}), "shadows of what moves"), 1);
 }
 
+TEST_F(Frame, ACutDrawsTheShadowsOfWhatRestsAgain) {
+  FrameInput input = studio->frame("still", 0, {run_of("off")}, {{Output::display}});
+  studio->renderer.render(input);
+  input.now.eye += glm::dvec3(0.013, 0.007, -0.011); // where it rounds otherwise
+  input.cut = true;
+  const FrameResult after = studio->renderer.render(input);
+  EXPECT_EQ(std::ranges::count(after.passes, "shadows of what rests", &PassReport::name), 1);
+}
+
 TEST_F(Frame, OneShadowMapServesEveryJitter) {
   const std::vector<std::string> names =
       passes("pass", {run_of("off"), run_of("blend")}, {Output::display, 0});

@@ -41,6 +41,19 @@ TEST_F(DemoDrops, ASceneIsDrawnInPlaceOfTheOneThatWasThere) {
   expect_left_in_silence(run);
 }
 
+TEST_F(DemoDrops, WhatShapedAModelIsNotKeptForASceneThatItDoesNotShape) {
+  const fs::path scene = folder.file("car.glb", glb(model({4, 3, 5}, {0, 0, 0})));
+  configure({{"settings", {{"model-yaw", 90}, {"speed", 0.5}}}});
+  {
+    DemoRun run = started(small, {scene});
+    EXPECT_EQ(asked(run)["state"]["settings"]["model-yaw"], 90);
+    expect_left_in_silence(run);
+  }
+  DemoRun run = started();
+  EXPECT_EQ(asked(run)["state"]["settings"], nlohmann::json({{"speed", 0.5}}));
+  expect_left_in_silence(run);
+}
+
 TEST_F(DemoDrops, WhatIsNoSceneIsToldAndTheOldOneGoesOn) {
   configure({{"rig", "still"}, {"shown", "off"}});
   DemoRun run = started();

@@ -1,61 +1,17 @@
 // Views that are kept, and paths that the real demo records and replays: to the bit, also without a window.
-#include "tests/window/driven_demo.h"
+#include "tests/window/recorded_demo.h"
 
 namespace unghost {
 namespace {
 
 using nlohmann::json;
 
-/// The header and the pixels of a PNG, as they are compressed: alike where the pixels are.
-std::string pixels_in(const std::string& png) {
-  std::string pixels;
-  for (size_t at = 8; at + 12 <= png.size();) {
-    uint32_t length = 0;
-    for (size_t i = 0; i < 4; ++i) length = length << 8 | uint8_t(png[at + i]);
-    const std::string kind = png.substr(at + 4, 4);
-    if (kind == "IHDR" || kind == "IDAT") pixels += png.substr(at + 8, length);
-    at += 12 + size_t(length);
-  }
-  return pixels;
-}
-
-class DemoPath : public DrivenDemo {
+class DemoPath : public RecordedDemo {
 protected:
-  std::string pixels_of(const std::string& picture) const {
-    return pixels_in(content_of(folder.path / picture));
-  }
-  void expect_same(const std::string& one, const std::string& other) const {
-    EXPECT_GT(pixels_of(one).size(), 1000u) << one;
-    EXPECT_TRUE(pixels_of(one) == pixels_of(other)) << one << " and " << other;
-  }
-
-  /// The program without a window, in the folder of the test, and validated.
-  int without_window(const Words& more) const {
-    Words words = {"env", "UNGHOST_VALIDATE=1", program()};
-    words.insert(words.end(), more.begin(), more.end());
-    words.push_back("--quiet");
-    return exit_of(words, folder.path);
-  }
-
-  /// A key that changes nothing, as no pixel is picked.
-  static uint64_t drawn(DemoRun& run) { return run.press("i", "pixel")["drawn"]; }
-  static void draw_more(DemoRun& run, uint64_t frames) {
-    const uint64_t from = drawn(run);
-    EXPECT_TRUE(comes_true([&] { return drawn(run) >= from + frames; }));
-  }
-
-  static void take(DemoRun& run, const std::string& picture) {
-    run.window().press("F12");
-    EXPECT_EQ(run.expect_event(picture)["event"], "screenshot");
-  }
-
-  /// Pauses, takes the picture of the last frame, and ends the recording; the name of its file.
-  static std::string end(DemoRun& run) {
-    run.press("p", "pause");
-    take(run, "unghost-1.png");
-    run.window().press("o");
-    const std::string said = run.expect_event("recorded")["message"];
-    return said.substr(0, said.find(": "));
+  /// While it is paused: one frame is drawn.
+  static void go_to_bookmark(DemoRun& run) {
+    const uint64_t before = run.press("j", "bookmark")["drawn"];
+    EXPECT_TRUE(comes_true([&] { return drawn(run) > before; }));
   }
 };
 
@@ -80,6 +36,13 @@ TEST_F(DemoPath, ARecordingIsDrawnWithoutAWindowToTheBit) {
   EXPECT_EQ(without_window({"capture", "--replay", "unghost-path-1.json", "--mode", "off", "-o", "off.png"}),
             0);
   EXPECT_NE(pixels_of("off.png"), pixels_of("replayed.png"));
+  EXPECT_EQ(without_window({"capture", "--replay", "unghost-path-1.json", "--view", "motion", "--set",
+                            "sun=1", "-o", "motion.png"}),
+            0);
+  EXPECT_NE(pixels_of("motion.png"), pixels_of("replayed.png"));
+  EXPECT_EQ(without_window({"capture", "--replay", "unghost-path-1.json", "--set", "sun=1", "-o", "lit.png"}),
+            0);
+  expect_same("lit.png", "replayed.png"); // as it was recorded
 }
 
 TEST_F(DemoPath, AReplayInTheWindowEndsAtTheSamePicture) {
@@ -142,6 +105,22 @@ TEST_F(DemoPath, OtherSizesAndAComparisonArePartOfIt) {
             0);
 }
 
+/// Where nothing moves, shadows are kept from frame to frame, and those of before are no part of a recording.
+TEST_F(DemoPath, WhatRestsIsRecordedFromAColdStart) {
+  configure({{"rig", "still"}, {"shown", "off"}});
+  DemoRun run = started();
+  for (const int to : {140, 120, 180, 160}) {
+    run.window().drag({100, 60}, {to, 90});
+    draw_more(run, 2);
+  }
+  run.press("o", "recording");
+  draw_more(run, 3);
+  end(run);
+  expect_left_in_silence(run);
+  EXPECT_EQ(without_window({"capture", "--replay", "unghost-path-1.json", "-o", "replayed.png"}), 0);
+  expect_same("replayed.png", "unghost-1.png");
+}
+
 TEST_F(DemoPath, ARecordingIsWrittenWhereTheDemoIsLeft) {
   DemoRun run = started();
   run.press("o", "recording");
@@ -157,16 +136,19 @@ TEST_F(DemoPath, ABookmarkBringsTheSamePictureAgain) {
   draw_more(run, 2); // with the camera where it was dragged to
   run.press("p", "pause");
   run.press("m", "bookmark");
+  const Picture kept = later_picture(run);
+  // a frame that follows others has shadows that they drew, from where they saw them: they round otherwise
+  go_to_bookmark(run);
   take(run, "unghost-1.png");
   run.press("p", "pause");
   run.press("Home", "camera");
   run.press("l", "rig");
   draw_more(run, 3);
   run.press("p", "pause");
-  const uint64_t before = run.press("j", "bookmark")["drawn"];
-  EXPECT_TRUE(comes_true([&] { return drawn(run) > before; })); // one frame
+  go_to_bookmark(run);
   take(run, "unghost-2.png");
   expect_same("unghost-2.png", "unghost-1.png");
+  EXPECT_TRUE(comes_back(run, kept));
   expect_left_in_silence(run);
 }
 

@@ -2,6 +2,8 @@
 // when it has drawn, and one for each change of its state.
 #pragma once
 
+#include <csignal>
+
 #include <nlohmann/json.hpp>
 
 #include "tests/window/desk.h"
@@ -27,6 +29,10 @@ public:
   nlohmann::json press(const std::string& key, const std::string& action);
   nlohmann::json press(Pad& pad, int button, const std::string& action);
 
+  /// As Ctrl-C does it in a terminal.
+  void interrupt() const { process_.signal(SIGINT); }
+  /// No file that it writes may get larger than that, as on a disk that is full; nothing: all may.
+  void limit_files(std::optional<uint64_t> bytes) const { process_.limit_files(bytes); }
   /// Presses Escape; the exit code.
   int leave();
   /// The exit code of a program that ends by other means.

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include <poll.h>
+#include <sys/resource.h>
 
 namespace unghost {
 
@@ -76,6 +77,14 @@ std::optional<int> Process::exit_code(Milliseconds limit) {
 
 void Process::signal(int number) const {
   if (!exit_code_) kill(child_, number);
+}
+
+void Process::limit_files(std::optional<uint64_t> bytes) const {
+  rlimit limit{};
+  prlimit(child_, RLIMIT_FSIZE, nullptr, &limit);
+  limit.rlim_cur = bytes ? rlim_t(*bytes) : limit.rlim_max; // which can be raised again
+  if (prlimit(child_, RLIMIT_FSIZE, &limit, nullptr) != 0)
+    throw std::runtime_error(std::string("its files cannot be limited: ") + std::strerror(errno));
 }
 
 } // namespace unghost

@@ -31,6 +31,8 @@ public:
   /// The exit code, 128 + the signal where one ended it; nothing where it still runs after that time.
   std::optional<int> exit_code(Milliseconds limit = patience);
   void signal(int number) const;
+  /// How large files may get that it writes from now on; nothing: as large as they want.
+  void limit_files(std::optional<uint64_t> bytes) const;
   std::string talk() const { return content_of(talk_); }
 
 private:

@@ -1,0 +1,50 @@
+#include "app/assignments.h"
+
+namespace unghost {
+namespace {
+
+Settings settings_of(const Settings& shared, const ModeRun& run) {
+  Settings settings = shared;
+  settings.taa = run.taa;
+  return settings;
+}
+
+/// Whether a mode reads it. One that does not keeps its own value.
+bool has_effect(const Setting& row, const std::vector<ModeRun>& modes, std::vector<Settings>& asked) {
+  bool used = false;
+  for (size_t i = 0; i < asked.size(); ++i)
+    if (!row.used.holds || row.used.holds(asked[i]))
+      used = true;
+    else if (row.per_mode)
+      row.write(asked[i], row.read(settings_of({}, modes[i])));
+  return used;
+}
+
+} // namespace
+
+std::vector<Assignment> apply_assignments(std::span<const Assignment> assignments, Settings& shared,
+                                          std::vector<ModeRun>& modes) {
+  for (const Assignment& each : assignments) apply_setting(shared, each.text);
+  std::vector<Settings> asked;
+  for (const ModeRun& run : modes) {
+    Settings& settings = asked.emplace_back(settings_of(shared, run));
+    for (const Assignment& each : assignments) apply_setting(settings, each.text);
+  }
+  std::vector<Assignment> unused;
+  for (const Assignment& each : assignments)
+    if (!has_effect(each.row(), modes, asked)) unused.push_back(each);
+  for (size_t i = 0; i < asked.size(); ++i) modes[i].taa = asked[i].taa;
+  return unused;
+}
+
+std::string without_effect(const Assignment& assignment) {
+  return assignment.text + " has no effect: " + std::string(assignment.row().used.otherwise);
+}
+
+std::optional<std::string> refusal(const Settings& shared, std::span<const ModeRun> modes) {
+  for (const ModeRun& run : modes)
+    if (const auto why = refusal(settings_of(shared, run))) return run.name + ": " + *why;
+  return {};
+}
+
+} // namespace unghost

@@ -279,8 +279,7 @@ void Demo::answer_requests() {
 }
 
 void Demo::run() {
-  while (!state_.requests.leave && (!line_.frames || drawn_ < *line_.frames)) {
-    throw_if_interrupted();
+  while (!interrupted() && !state_.requests.leave && (!line_.frames || drawn_ < *line_.frames)) {
     react();
     answer_requests();
     load_asked_scene();
@@ -300,6 +299,7 @@ void Demo::run() {
   end_recording("");
   device_.wait_idle();
   save_demo(kept_state(), config_file());
+  throw_if_interrupted();
   if (line_.timings) console_.err << times_.text();
   report_validation(console_.err, device_.validation_messages());
 }

@@ -63,11 +63,10 @@ void draw_mode(DemoState& state, const DemoFacts& facts) {
     ImGui::PopID();
   }
   if (state.arrangement != Arrangement::grid) return;
-  if (state.compared.size() < most_compared && ImGui::SmallButton("one more (=)")) compare_one_more(state);
-  if (state.compared.size() > 1) {
-    ImGui::SameLine();
-    if (ImGui::SmallButton("one less (-)")) compare_one_less(state);
-  }
+  const bool more = state.compared.size()<most_compared, less = state.compared.size()> 1;
+  if (more && ImGui::SmallButton("one more (=)")) compare_one_more(state);
+  if (more && less) ImGui::SameLine();
+  if (less && ImGui::SmallButton("one less (-)")) compare_one_less(state);
 }
 
 void draw_scenes(DemoState& state, const std::vector<std::string>& scenes) {
@@ -130,7 +129,7 @@ void draw_chart(const char* label, const std::deque<float>& ms) {
   std::ranges::nth_element(sorted, sorted.begin() + ptrdiff_t(sorted.size() / 2));
   const std::string over = std::string(label) + " " + fixed(double(sorted[sorted.size() / 2]), 1) + " ms";
   ImGui::PlotLines("##chart", values.data(), int(values.size()), 0, over.c_str(), 0, most * 1.3f,
-                   {-1, ImGui::GetTextLineHeight() * 3});
+                   {ImGui::GetContentRegionAvail().x, ImGui::GetTextLineHeight() * 3});
 }
 
 /// How many pixels are drawn: so many a pixel shown, or as many as a frame time allows.
@@ -192,7 +191,7 @@ void draw_panel(DemoState& state, const DemoFacts& facts, uint32_t width) {
   constexpr auto fixed_place =
       ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove;
   if (ImGui::Begin("unghost", nullptr, fixed_place)) {
-    ImGui::TextDisabled("H: keys   U: hide all   B: compare");
+    ImGui::TextUnformatted(text(first_keys));
     draw_mode(state, facts);
     if (ImGui::CollapsingHeader("this pixel", ImGuiTreeNodeFlags_DefaultOpen)) draw_pixel(facts.pixel);
     if (ImGui::CollapsingHeader("how this mode resolves", ImGuiTreeNodeFlags_DefaultOpen)) draw_row(state);

@@ -143,7 +143,7 @@ TEST(DemoActions, MessagesSayWhatItCameTo) {
                                                   {GLFW_KEY_G, "jitter scale: 0.9"},
                                                   {GLFW_KEY_V, "magnifier: on"},
                                                   {GLFW_KEY_V, "magnifier: off"},
-                                                  {GLFW_KEY_B, "comparison: split with uncharted"},
+                                                  {GLFW_KEY_B, "comparison: split with blend"},
                                                   {GLFW_KEY_B, "comparison: off"},
                                                   {GLFW_KEY_ENTER, "TAA: off"},
                                                   {GLFW_KEY_ENTER, "TAA: on, grand-tour"},
@@ -307,7 +307,7 @@ TEST(DemoActions, TheComparedModeIsHeldUpOnlyWhereItIsNotSeenAlready) {
   DemoState state = default_demo_state();
   const DemoState before = state;
   press(state, GLFW_KEY_K);
-  EXPECT_EQ(state.message, "flicker: uncharted");
+  EXPECT_EQ(state.message, "flicker: blend");
   EXPECT_TRUE(without_message(state) == before);
   press(state, GLFW_KEY_B);
   press(state, GLFW_KEY_K);

@@ -10,6 +10,7 @@
 #include "app/demo/file_values.h"
 #include "app/failure.h"
 #include "tests/app/altered_setting.h"
+#include "tests/app/child.h"
 #include "tests/app/scratch_folder.h"
 
 namespace unghost {
@@ -218,8 +219,22 @@ TEST(DemoFile, ABrokenFileIsTheDefaultsAndASentence) {
     EXPECT_TRUE(loaded.state == default_demo_state()) << file;
     EXPECT_NE(loaded.complaint.find(sentence), std::string::npos) << loaded.complaint;
     EXPECT_NE(loaded.complaint.find(file.string()), std::string::npos) << loaded.complaint;
-    EXPECT_TRUE(loaded.complaint.ends_with("; the defaults are taken")) << loaded.complaint;
+    EXPECT_NE(loaded.complaint.find("; the defaults are taken, and it is kept as "), std::string::npos)
+        << loaded.complaint;
   }
+}
+
+TEST(DemoFile, ABrokenFileOutlivesWhatIsSavedInItsPlace) {
+  const ScratchFolder folder;
+  for (const std::string slip : {"{\"rig\": \"drive\",}", "another"}) {
+    const std::filesystem::path file = folder.file("config.json", slip);
+    save_demo(load_demo(file).state, file);
+    EXPECT_EQ(load_demo(file).complaint, "");
+    const std::filesystem::path aside =
+        folder.path / (slip == "another" ? "config.json.refused-2" : "config.json.refused-1");
+    EXPECT_EQ(content_of(aside), slip);
+  }
+  EXPECT_EQ(content_of(folder.path / "config.json.refused-1"), "{\"rig\": \"drive\",}");
 }
 
 TEST(DemoFile, IsSavedWholeOrNotAtAll) {

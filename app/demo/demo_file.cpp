@@ -175,6 +175,8 @@ json demo_json(const DemoState& state) {
 void apply_demo_json(DemoState& state, const json& object) {
   DemoState applied = state;
   for (const auto& [key, value] : object_of(object).items()) set_kept(applied, key, value);
+  if (!object.contains("compared")) // what is not named makes room, as it does for a key
+    std::ranges::replace(applied.compared, applied.mode, state.mode);
   check_seen_once(applied);
   state = std::move(applied);
 }

@@ -110,6 +110,15 @@ TEST(DemoFile, WhatIsNotNamedStays) {
   EXPECT_TRUE(after({{"rig", "rotate"}}, other_than_default()) == expected);
 }
 
+TEST(DemoFile, AComparedModeThatIsNotNamedMakesRoomForTheShownOne) {
+  DemoState state = default_demo_state(), pressed = state;
+  const size_t compared = state.compared.front();
+  show_mode(pressed, compared);
+  apply_demo_json(state, {{"shown", state.modes[compared].name}});
+  EXPECT_EQ(modes_seen(state), modes_seen(pressed));
+  EXPECT_EQ(state.compared, pressed.compared);
+}
+
 TEST(DemoFile, RefusesNonsenseAndLeavesTheStateAsItWas) {
   const std::pair<const char*, const char*> hostile[] = {
       {R"([])", "object"},
@@ -138,7 +147,7 @@ TEST(DemoFile, RefusesNonsenseAndLeavesTheStateAsItWas) {
       {R"({"modes": {"off": {"rectify": "box-clip"}}})", "off: rectify=box-clip has no effect"},
       {R"({"shown": "none"})", "shown: there is no mode 'none'"},
       {R"({"shown": 3})", "shown: it is a word"},
-      {R"({"shown": "blend"})", "seen twice"}, // is compared
+      {R"({"compared": ["blend"], "shown": "blend"})", "seen twice"},
       {R"({"compared": []})", "compared: it is a list of 1 to 3"},
       {R"({"compared": ["off", "blend", "dop32", "rgb"]})", "compared: it is a list of 1 to 3"},
       {R"({"compared": ["off", "off"]})", "compared: off is seen twice"},

@@ -19,8 +19,10 @@ void catch_signals() {
   sigaction(SIGTERM, &action, nullptr);
 }
 
+bool interrupted() { return came != 0; }
+
 void throw_if_interrupted() {
-  if (came != 0) throw Interrupted{came};
+  if (interrupted()) throw Interrupted{came};
 }
 
 } // namespace unghost

@@ -10,6 +10,8 @@ struct Interrupted {
 
 /// For SIGINT and SIGTERM, until each has come once.
 void catch_signals();
+/// Whether a signal has come.
+bool interrupted();
 /// Throws Interrupted once a signal has come.
 void throw_if_interrupted();
 

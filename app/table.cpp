@@ -23,7 +23,7 @@ std::string Table::text() const {
     std::string line;
     for (size_t i = 0; i < row.size(); ++i) {
       const std::string gap(widths[i] - row[i].size(), ' ');
-      line += (i == 0 ? "" : "  ") + (is_number(row[i]) ? gap + row[i] : row[i] + gap);
+      line += (i == 0 ? "" : "  ") + (i > 0 && is_number(row[i]) ? gap + row[i] : row[i] + gap);
     }
     line.erase(line.find_last_not_of(' ') + 1);
     text += line + "\n";

@@ -169,7 +169,6 @@ bool Demo::is_over() {
 }
 
 void Demo::turn() {
-  throw_if_interrupted();
   react();
   answer_requests();
   load_asked_scene();
@@ -189,8 +188,8 @@ void Demo::turn() {
 
 void Demo::run() {
   try {
-    while (!is_over()) turn();
-  } catch (...) { // Ctrl-C, or a device that is lost: the path that led there is written
+    while (!interrupted() && !is_over()) turn();
+  } catch (...) { // a device that is lost, say: the path that led there is written
     if (const std::string loss = loss_of_recording(); !loss.empty())
       console_.err << "unghost: " << loss << "\n";
     throw;
@@ -199,6 +198,8 @@ void Demo::run() {
   if (const std::string loss = loss_of_recording(); !loss.empty()) lost.push_back(loss);
   device_.wait_idle();
   if (const auto fault = fault_of([&] { save_demo(kept_state(), config_file()); })) lost.push_back(*fault);
+  if (interrupted() && !lost.empty()) console_.err << "unghost: " << joined(lost, "; ") << "\n";
+  throw_if_interrupted();
   if (line_.timings) console_.err << times_.text();
   report_validation(console_.err, device_.validation_messages());
   if (!lost.empty()) throw Failure(Exit::failed, joined(lost, "; "));

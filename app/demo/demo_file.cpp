@@ -155,6 +155,14 @@ void check_seen_once(const DemoState& state) {
       throw SettingError("compared: " + state.modes[place].name + " is seen twice");
 }
 
+/// A slip in a file that a person edited costs no bookmark: what is saved on leaving does not go over it.
+std::string set_aside(const fs::path& file) {
+  const fs::path aside = free_name(file.string() + ".refused", "");
+  std::error_code fault;
+  fs::rename(file, aside, fault);
+  return fault ? "" : ", and it is kept as " + aside.filename().string();
+}
+
 } // namespace
 
 json demo_json(const DemoState& state) {
@@ -166,6 +174,8 @@ json demo_json(const DemoState& state) {
 void apply_demo_json(DemoState& state, const json& object) {
   DemoState applied = state;
   for (const auto& [key, value] : object_of(object).items()) set_kept(applied, key, value);
+  if (!object.contains("compared")) // what is not named makes room, as it does for a key
+    std::ranges::replace(applied.compared, applied.mode, state.mode);
   check_seen_once(applied);
   state = std::move(applied);
 }
@@ -192,7 +202,7 @@ LoadedDemo load_demo(const fs::path& file) {
   } catch (const json::exception&) {
     loaded.complaint = file.string() + " is no JSON";
   }
-  if (!loaded.complaint.empty()) loaded.complaint += "; the defaults are taken";
+  if (!loaded.complaint.empty()) loaded.complaint += "; the defaults are taken" + set_aside(file);
   return loaded;
 }
 

@@ -9,7 +9,7 @@ DemoState default_demo_state() {
   for (const TaaMode& row : taa_modes())
     state.modes.push_back({.name = std::string(row.name), .taa = row.settings});
   state.mode = state.shown_before = place_of_mode(state, "grand-tour");
-  state.compared = {place_of_mode(state, "uncharted")};
+  state.compared = {place_of_mode(state, "blend")}; // with a ghost, as the shown one has none
   return state;
 }
 

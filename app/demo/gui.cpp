@@ -30,6 +30,7 @@ void set_style(double scale) {
   style.FrameRounding = 2;
   style.WindowBorderSize = 0;
   style.Colors[ImGuiCol_WindowBg].w = 1; // the panel stands beside the picture, and nothing is below it
+  style.Colors[ImGuiCol_TextDisabled] = {0.66f, 0.66f, 0.66f, 1}; // sentences are written in it, too
   style.ScaleAllSizes(float(scale));
 }
 

@@ -69,7 +69,7 @@ std::vector<Label> labels_of(const DemoState& state, const ScreenInput& screen,
   if (state.arrangement == Arrangement::difference && shown.size() > 1)
     return of_both(name(0) + " - " + name(1) + ", times 8");
   if (state.arrangement == Arrangement::flip && shown.size() > 1)
-    return of_both("FLIP of " + name(0) + " and " + name(1));
+    return of_both("FLIP of " + name(0) + " and " + name(1) + ": yellow is 1");
   std::vector<Label> labels;
   for (const ScreenCell& cell : cells_of(screen, shown.size())) {
     const bool right = state.arrangement == Arrangement::split && cell.mode == 1;
@@ -124,9 +124,10 @@ void draw_path_notice(const DemoState& state, const PicturePlace& place) {
 }
 
 void draw_keys(const DemoState& state, const PicturePlace& place) {
-  ImGui::SetNextWindowPos({float(place.at.x + place.screen.width / 2.0), float(place.screen.height / 2.0)},
-                          ImGuiCond_Always, {0.5f, 0.5f});
-  ImGui::SetNextWindowSizeConstraints({0, 0}, {float(place.screen.width), float(place.screen.height)});
+  // from the right edge over the panel, if need be: beside it, half of a small window is too little for words
+  const ImVec2 window{float(place.at.x + place.screen.width), float(place.screen.height)};
+  ImGui::SetNextWindowPos({window.x, window.y / 2}, ImGuiCond_Always, {1, 0.5f});
+  ImGui::SetNextWindowSizeConstraints({0, 0}, window);
   constexpr auto plain = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
                          ImGuiWindowFlags_AlwaysAutoResize;
   if (ImGui::Begin("keys", nullptr, plain) &&

@@ -129,7 +129,7 @@ void draw_chart(const char* label, const std::deque<float>& ms) {
   std::ranges::nth_element(sorted, sorted.begin() + ptrdiff_t(sorted.size() / 2));
   const std::string over = std::string(label) + " " + fixed(double(sorted[sorted.size() / 2]), 1) + " ms";
   ImGui::PlotLines("##chart", values.data(), int(values.size()), 0, over.c_str(), 0, most * 1.3f,
-                   {-1, ImGui::GetTextLineHeight() * 3});
+                   {ImGui::GetContentRegionAvail().x, ImGui::GetTextLineHeight() * 3});
 }
 
 /// How many pixels are drawn: so many a pixel shown, or as many as a frame time allows.
@@ -200,7 +200,7 @@ void draw_panel(DemoState& state, const DemoFacts& facts, uint32_t width) {
   constexpr auto fixed_place =
       ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove;
   if (ImGui::Begin("unghost", nullptr, fixed_place)) {
-    ImGui::TextDisabled("H: keys   U: hide all   B: compare");
+    ImGui::TextUnformatted(text(first_keys));
     draw_mode(state, facts);
     if (ImGui::CollapsingHeader("this pixel", ImGuiTreeNodeFlags_DefaultOpen)) draw_pixel(facts.pixel);
     if (ImGui::CollapsingHeader("how this mode resolves", ImGuiTreeNodeFlags_DefaultOpen)) draw_row(state);

@@ -152,7 +152,8 @@ void draw_neighbourhood(const ProbedPixel& pixel, const Rectification& r) {
 } // namespace
 
 void draw_pixel(const std::optional<ProbedPixel>& pixel) {
-  if (!pixel) return ImGui::TextDisabled("click on one; I or Shift+click: no more");
+  if (!pixel)
+    return ImGui::TextWrapped("Click into the picture: why a pixel there keeps its history, or loses it.");
   Neighbourhood linear;
   std::ranges::copy(pixel->colours, linear.begin());
   const Rectification r = rectification_of(pixel->mode.taa, linear,

@@ -82,7 +82,7 @@ TEST(DemoActions, MessagesSayWhatItCameTo) {
                                                   {GLFW_KEY_G, "jitter scale: 0.9"},
                                                   {GLFW_KEY_V, "magnifier: on"},
                                                   {GLFW_KEY_V, "magnifier: off"},
-                                                  {GLFW_KEY_B, "comparison: split with uncharted"},
+                                                  {GLFW_KEY_B, "comparison: split with blend"},
                                                   {GLFW_KEY_B, "comparison: off"},
                                                   {GLFW_KEY_ENTER, "TAA: off"},
                                                   {GLFW_KEY_ENTER, "TAA: on, grand-tour"},

@@ -45,7 +45,7 @@ TEST(DemoCommand, SaysOnlyWhatDiffers) {
   DemoState state = default_demo_state();
   EXPECT_EQ(command_of(state), "unghost capture --mode grand-tour -o unghost.png");
   state.arrangement = Arrangement::difference;
-  EXPECT_EQ(command_of(state), "unghost compare --modes grand-tour,uncharted -o unghost.png");
+  EXPECT_EQ(command_of(state), "unghost compare --modes grand-tour,blend -o unghost.png");
   state.arrangement = Arrangement::single;
   state.scene = "my car.glb";
   state.rig = "pass";

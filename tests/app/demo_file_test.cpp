@@ -10,6 +10,7 @@
 #include "app/demo/file_values.h"
 #include "app/failure.h"
 #include "tests/app/altered_setting.h"
+#include "tests/app/child.h"
 #include "tests/app/scratch_folder.h"
 
 namespace unghost {
@@ -109,6 +110,15 @@ TEST(DemoFile, WhatIsNotNamedStays) {
   EXPECT_TRUE(after({{"rig", "rotate"}}, other_than_default()) == expected);
 }
 
+TEST(DemoFile, AComparedModeThatIsNotNamedMakesRoomForTheShownOne) {
+  DemoState state = default_demo_state(), pressed = state;
+  const size_t compared = state.compared.front();
+  show_mode(pressed, compared);
+  apply_demo_json(state, {{"shown", state.modes[compared].name}});
+  EXPECT_EQ(modes_seen(state), modes_seen(pressed));
+  EXPECT_EQ(state.compared, pressed.compared);
+}
+
 TEST(DemoFile, RefusesNonsenseAndLeavesTheStateAsItWas) {
   const std::pair<const char*, const char*> hostile[] = {
       {R"([])", "object"},
@@ -137,7 +147,7 @@ TEST(DemoFile, RefusesNonsenseAndLeavesTheStateAsItWas) {
       {R"({"modes": {"off": {"rectify": "box-clip"}}})", "off: rectify=box-clip has no effect"},
       {R"({"shown": "none"})", "shown: there is no mode 'none'"},
       {R"({"shown": 3})", "shown: it is a word"},
-      {R"({"shown": "blend"})", "seen twice"}, // is compared
+      {R"({"compared": ["blend"], "shown": "blend"})", "seen twice"},
       {R"({"compared": []})", "compared: it is a list of 1 to 3"},
       {R"({"compared": ["off", "blend", "dop32", "rgb"]})", "compared: it is a list of 1 to 3"},
       {R"({"compared": ["off", "off"]})", "compared: off is seen twice"},
@@ -218,8 +228,22 @@ TEST(DemoFile, ABrokenFileIsTheDefaultsAndASentence) {
     EXPECT_TRUE(loaded.state == default_demo_state()) << file;
     EXPECT_NE(loaded.complaint.find(sentence), std::string::npos) << loaded.complaint;
     EXPECT_NE(loaded.complaint.find(file.string()), std::string::npos) << loaded.complaint;
-    EXPECT_TRUE(loaded.complaint.ends_with("; the defaults are taken")) << loaded.complaint;
+    EXPECT_NE(loaded.complaint.find("; the defaults are taken, and it is kept as "), std::string::npos)
+        << loaded.complaint;
   }
+}
+
+TEST(DemoFile, ABrokenFileOutlivesWhatIsSavedInItsPlace) {
+  const ScratchFolder folder;
+  for (const std::string slip : {"{\"rig\": \"drive\",}", "another"}) {
+    const std::filesystem::path file = folder.file("config.json", slip);
+    save_demo(load_demo(file).state, file);
+    EXPECT_EQ(load_demo(file).complaint, "");
+    const std::filesystem::path aside =
+        folder.path / (slip == "another" ? "config.json.refused-2" : "config.json.refused-1");
+    EXPECT_EQ(content_of(aside), slip);
+  }
+  EXPECT_EQ(content_of(folder.path / "config.json.refused-1"), "{\"rig\": \"drive\",}");
 }
 
 TEST(DemoFile, IsSavedWholeOrNotAtAll) {

@@ -34,8 +34,8 @@ TEST(DemoModes, NoModeIsSeenTwice) {
     EXPECT_EQ(std::set<size_t>(seen.begin(), seen.end()).size(), seen.size()) << action.what;
   }
   state = showing("grand-tour");
-  press(state, GLFW_KEY_5); // uncharted, beside it
-  EXPECT_EQ(shown(state).name, "uncharted");
+  press(state, GLFW_KEY_1); // blend, beside it
+  EXPECT_EQ(shown(state).name, "blend");
   EXPECT_EQ(state.modes[state.compared.front()].name, "grand-tour");
 }
 
@@ -119,7 +119,8 @@ TEST(DemoModes, WhatIsMadeOfTwoIsLabelledOnceWithBoth) {
       all.push_back(label.words);
     return all;
   };
-  EXPECT_EQ(words(Arrangement::flip, seen), std::vector<std::string>{"FLIP of blend and grand-tour"});
+  EXPECT_EQ(words(Arrangement::flip, seen),
+            std::vector<std::string>{"FLIP of blend and grand-tour: yellow is 1"});
   EXPECT_EQ(words(Arrangement::difference, seen), std::vector<std::string>{"blend - grand-tour, times 8"});
   EXPECT_EQ(words(Arrangement::flip, std::span(seen).first(1)), std::vector<std::string>{"blend"});
 }

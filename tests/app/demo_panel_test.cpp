@@ -4,6 +4,8 @@
 #include <functional>
 #include <set>
 
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
 #include <gtest/gtest.h>
 #include <imgui_internal.h> // where lists open
 #include <nlohmann/json.hpp>
@@ -169,6 +171,39 @@ TEST_F(DemoPanel, ARightClickResetsWhateverWasChanged) {
     }
   EXPECT_EQ(changes(state, first), changes(first, first)) << state.message;
   EXPECT_EQ(demo_json(state), demo_json(first));
+}
+
+TEST_F(DemoPanel, AGridOfFourLosesOne) {
+  state.compared = {place_of_mode(state, "off"), place_of_mode(state, "blend"), place_of_mode(state, "rgb")};
+  state.arrangement = Arrangement::grid;
+  bool lost = false;
+  click_on_everything(DemoState(state), [&] { lost |= state.compared.size() == 2; });
+  EXPECT_TRUE(lost);
+}
+
+TEST_F(DemoPanel, TheChartIsAsWideAsThePanel) {
+  facts.gpu_ms.assign(charted_frames, 5);
+  frame(), frame();
+  float left = width, right = 0;
+  for (const ImDrawVert& corner : ImGui::FindWindowByName("unghost")->DrawList->VtxBuffer)
+    if (corner.col == ImGui::GetColorU32(ImGuiCol_PlotLines))
+      left = std::min(left, corner.pos.x), right = std::max(right, corner.pos.x);
+  EXPECT_GT(right - left, width * 0.8f);
+}
+
+TEST_F(DemoPanel, ItsFirstKeysFitAndDoWhatTheySay) {
+  const ImGuiStyle& style = ImGui::GetStyle();
+  EXPECT_LE(ImGui::CalcTextSize(first_keys.data()).x,
+            width - 2 * style.WindowPadding.x - style.ScrollbarSize);
+  const DemoState first = state;
+  press(state, GLFW_KEY_B);
+  EXPECT_EQ(modes_seen(state), (std::vector<size_t>{first.mode, place_of_mode(state, "blend")}));
+  press(state, GLFW_KEY_1);
+  EXPECT_EQ(shown(state).name, "blend");
+  press(state, GLFW_KEY_6);
+  EXPECT_EQ(state.mode, first.mode);
+  press(state, GLFW_KEY_V), press(state, GLFW_KEY_H), press(state, GLFW_KEY_U);
+  EXPECT_TRUE(state.magnifier.shown && state.keys && state.hidden);
 }
 
 TEST_F(DemoPanel, NothingChangesWhereTheMouseOnlyPasses) {

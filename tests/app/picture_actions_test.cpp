@@ -16,7 +16,7 @@ TEST(PictureActions, TheComparedModeIsHeldUpOnlyWhereItIsNotSeenAlready) {
   DemoState state = default_demo_state();
   const DemoState before = state;
   press(state, GLFW_KEY_K);
-  EXPECT_EQ(state.message, "flicker: uncharted");
+  EXPECT_EQ(state.message, "flicker: blend");
   EXPECT_TRUE(without_message(state) == before);
   press(state, GLFW_KEY_B);
   press(state, GLFW_KEY_K);

@@ -37,6 +37,7 @@ public:
   int leave();
   /// The exit code of a program that ends by other means.
   int ended();
+  int ended_by(int signal) { return process_.signal(signal), ended(); }
   /// What it said on standard error.
   std::string talk() const { return process_.talk(); }
 

@@ -1,6 +1,8 @@
 // Keys and gamepads of the real demo: what each changes, as the program tells it, and as the window shows it.
 #include "tests/window/driven_demo.h"
 
+#include <csignal>
+
 #include <GLFW/glfw3.h>
 
 namespace unghost {
@@ -210,6 +212,16 @@ TEST_F(DemoKeys, WhatWasLeftIsThereOnTheNextStart) {
   DemoRun run = started();
   EXPECT_EQ(run.ready()["state"], left);
   expect_left_in_silence(run);
+}
+
+TEST_F(DemoKeys, ASignalEndsItAndLosesNoBookmark) {
+  for (const int signal : {SIGINT, SIGTERM}) {
+    DemoRun run = started();
+    const json kept = run.press("m", "bookmark")["state"];
+    EXPECT_EQ(run.ended_by(signal), 128 + signal) << run.talk();
+    EXPECT_EQ(json::parse(content_of(config_file()))["bookmarks"], kept["bookmarks"]);
+    EXPECT_EQ(kept["bookmarks"].size(), signal == SIGINT ? 1u : 2u);
+  }
 }
 
 TEST_F(DemoKeys, AModeThatIsAskedForIsNotComparedWithItselfOnTheNextStart) {

@@ -125,7 +125,7 @@ TEST_F(DemoPictures, TheComparedModeIsSeenWhileAKeyIsHeld) {
   DemoRun run = started();
   const Picture shown = later_picture(run);
   run.window().hold("k");
-  EXPECT_EQ(run.expect_event("flicker")["message"], "flicker: uncharted");
+  EXPECT_EQ(run.expect_event("flicker")["message"], "flicker: blend");
   EXPECT_TRUE(comes_to_differ(run, shown, 0.005));
   run.window().let_go("k");
   EXPECT_TRUE(comes_back(run, shown));

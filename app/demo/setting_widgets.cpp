@@ -27,7 +27,9 @@ bool edit_number(const Setting& row, Settings& settings, const char* label) {
   const bool wide = row.high / std::max(row.low, 1e-3f) > 100 && row.low >= 0;
   const auto flags = ImGuiSliderFlags_AlwaysClamp | (wide ? ImGuiSliderFlags_Logarithmic : 0);
   std::string format = "%.3g";
-  if (!row.unit.empty()) format += " " + std::string(row.unit == "%" ? "%%" : row.unit);
+  const std::string shown = row.get(settings) + " " + std::string(row.unit);
+  const bool fits = ImGui::CalcTextSize(shown.c_str()).x < ImGui::CalcItemWidth(); // else the tooltip has it
+  if (!row.unit.empty() && fits) format += " " + std::string(row.unit == "%" ? "%%" : row.unit);
   if (!ImGui::SliderFloat(label, &value, row.low, row.high, format.c_str(), flags)) return false;
   row.write(settings, double(value));
   return true;

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstring>
 #include <deque>
+#include <optional>
 #include <random>
 
 #include "app/measure/flip.h"
@@ -45,15 +46,21 @@ Image framed(glm::ivec2 size, int wide, uint8_t border) {
 
 class FlipOnDevice : public StudioTest {
 protected:
+  static void TearDownTestSuite() {
+    runner.reset(); // before its device
+    StudioTest::TearDownTestSuite();
+  }
+  static inline std::optional<GraphRunner> runner;
+  static inline uint64_t frame = 0;
+
   static FloatImage flip_on_device(const Image& reference, const Image& test) {
-    static GraphRunner runner(studio->device, studio->data.shaders);
-    static uint64_t frame = 0;
-    runner.make_room();
-    FrameGraph graph(runner.kept(), frame++);
+    if (!runner) runner.emplace(studio->device, studio->data.shaders);
+    runner->make_room();
+    FrameGraph graph(runner->kept(), frame++);
     std::deque<GpuBuffer> staged;
     graph.read_back(flip_error(graph, uploaded(graph, reference, staged), uploaded(graph, test, staged)),
                     VK_IMAGE_ASPECT_COLOR_BIT);
-    const std::vector<std::byte> bytes = runner.run(graph).readbacks.at(0);
+    const std::vector<std::byte> bytes = runner->run(graph).readbacks.at(0);
     FloatImage error{.width = reference.width, .height = reference.height, .channels = 1, .values = {}};
     error.values.resize(bytes.size() / sizeof(float));
     std::memcpy(error.values.data(), bytes.data(), bytes.size());

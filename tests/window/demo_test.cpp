@@ -70,19 +70,10 @@ TEST_F(DemoKeys, TheSamplesControlsChangeWhatTheySayAndNothingElse) {
   expect_left_in_silence(run);
 }
 
-/// Where the window says what a key did.
-std::vector<std::array<uint8_t, 3>> lowest_lines(const Picture& picture) {
-  constexpr int lines = 44;
-  const auto all = picture.pixels.begin();
-  return {all + (picture.size.height - lines) * picture.size.width, picture.pixels.end()};
-}
-
 TEST_F(DemoKeys, WhatEachOfThemDidIsReadInTheWindow) {
   DemoRun run = started();
   run.press("p", "pause"); // so that nothing else changes
-  run.press("u", "only the picture");
-  const auto silent = lowest_lines(later_picture(run));
-  run.press("u", "only the picture");
+  const auto silent = lowest_lines(silent_picture(run));
   const auto is_silent = [&] { return lowest_lines(run.window().picture()) == silent; };
   for (const Control& row : controls_of_gdk_sample()) {
     EXPECT_TRUE(comes_true(is_silent)) << "before " << row.message;

@@ -28,6 +28,12 @@ inline double difference(const Picture& one, const Picture& other) {
   return double(differing) / double(all);
 }
 
+/// Where the window says what a key did.
+inline std::vector<Colour> lowest_lines(const Picture& picture) {
+  constexpr int lines = 44;
+  return {picture.pixels.end() - std::ptrdiff_t(lines) * picture.size.width, picture.pixels.end()};
+}
+
 /// Suites of it are skipped where there can be no desk.
 class DrivenDemo : public testing::Test {
 protected:
@@ -86,6 +92,15 @@ protected:
   }
   static Picture later_picture(DemoRun& run) {
     let_frames_pass(run);
+    return run.window().picture();
+  }
+
+  /// Of a demo that is paused, with nothing said on it.
+  static Picture silent_picture(DemoRun& run) {
+    run.press("u", "only the picture");
+    const std::vector<Colour> silent = lowest_lines(later_picture(run));
+    run.press("u", "only the picture");
+    EXPECT_TRUE(comes_true([&] { return lowest_lines(run.window().picture()) == silent; }));
     return run.window().picture();
   }
 

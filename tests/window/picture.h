@@ -17,11 +17,13 @@ struct Spot {
   int x, y; // in pixels from the upper left
 };
 
+using Colour = std::array<uint8_t, 3>; // 8-bit sRGB
+
 struct Picture {
   Size size;
-  std::vector<std::array<uint8_t, 3>> pixels; // 8-bit sRGB, row by row from above
+  std::vector<Colour> pixels; // row by row from above
 
-  const std::array<uint8_t, 3>& at(Spot spot) const {
+  const Colour& at(Spot spot) const {
     return pixels.at(size_t(spot.y) * size_t(size.width) + size_t(spot.x));
   }
 };

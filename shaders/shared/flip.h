@@ -25,12 +25,12 @@ SHARED_NUMBER FLIP_GREEN_OF_X = -0.969224334f, FLIP_GREEN_OF_Y = 1.875930071f, F
 SHARED_NUMBER FLIP_BLUE_OF_X = 0.055639423f, FLIP_BLUE_OF_Y = -0.204011202f, FLIP_BLUE_OF_Z = 1.057148933f;
 
 SHARED_NUMBER FLIP_LAB_DELTA = 6.0f / 29.0f;
-SHARED_NUMBER FLIP_HUNT = 0.01f;               // how much lightness makes of colours
-SHARED_NUMBER FLIP_DISTANCE_POWER = 0.7f;      // of colours
-SHARED_NUMBER FLIP_KNEE = 0.4f;                // of the largest distance; errors rise steeply below it
-SHARED_NUMBER FLIP_AT_KNEE = 0.95f;            // the error there
-SHARED_NUMBER FLIP_ABOVE_KNEE = 0.05f;         // the rest
-SHARED_NUMBER FLIP_LIGHTNESS_RANGE = 116.0f;   // of what features are found in
+SHARED_NUMBER FLIP_HUNT = 0.01f;             // how much lightness makes of colours
+SHARED_NUMBER FLIP_DISTANCE_POWER = 0.7f;    // of colours
+SHARED_NUMBER FLIP_KNEE = 0.4f;              // of the largest distance; errors rise steeply below it
+SHARED_NUMBER FLIP_AT_KNEE = 0.95f;          // the error there
+SHARED_NUMBER FLIP_ABOVE_KNEE = 0.05f;       // the rest
+SHARED_NUMBER FLIP_LIGHTNESS_RANGE = 116.0f; // of what features are found in
 SHARED_NUMBER FLIP_FEATURE_SHARE = 0.707106781f;
 
 /// Half of the device's filters: as far as those of the usual monitor reach. A tap has a weight of each

@@ -13,7 +13,7 @@ Settings settings_of(const Settings& shared, const ModeRun& run) {
 bool has_effect(const Setting& row, const std::vector<ModeRun>& modes, std::vector<Settings>& asked) {
   bool used = false;
   for (size_t i = 0; i < asked.size(); ++i)
-    if (!row.used.holds || row.used.holds(asked[i]))
+    if (row.used.met_by(asked[i]))
       used = true;
     else if (row.per_mode)
       row.write(asked[i], row.read(settings_of({}, modes[i])));

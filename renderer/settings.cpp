@@ -135,7 +135,7 @@ std::optional<std::string> refusal(const Settings& settings) {
     return "blend=attenuated acts where a history is rectified, and rectify=none does not";
   if (policy.needs_history()) return std::nullopt;
   for (const Setting& row : settings_table())
-    if (row.per_mode && row.kind != SettingKind::number && row.used.holds && !row.used.holds(settings) &&
+    if (row.per_mode && row.kind != SettingKind::number && !row.used.met_by(settings) &&
         row.read(settings) != row.read(Settings{}))
       return std::string(row.name) + "=" + row.get(settings) +
              " has no effect: " + std::string(row.used.otherwise);

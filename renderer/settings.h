@@ -74,6 +74,8 @@ enum class SettingKind { number, choice, flags };
 struct Condition {
   bool (*holds)(const Settings&) = nullptr; // null: always
   std::string_view otherwise{};
+
+  bool met_by(const Settings& settings) const { return holds == nullptr || holds(settings); }
 };
 
 /// One row of the table of settings.

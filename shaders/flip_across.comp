@@ -4,6 +4,7 @@
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 #extension GL_EXT_control_flow_attributes : require
+#include "flip_colour.glsl"
 #include "flip_filters.glsl"
 
 layout(local_size_x = FLIP_GROUP_BANDS, local_size_y = FLIP_GROUP_ROWS) in;
@@ -22,10 +23,8 @@ float lab_root(float t) {
 
 /// CIELab after Hunt's effect, of linear light: colours weigh less where it is dark.
 vec3 hunted(vec3 c) {
-  float x = lab_root(dot(vec3(FLIP_X_OF_RED, FLIP_X_OF_GREEN, FLIP_X_OF_BLUE), c));
-  float y = lab_root(dot(vec3(FLIP_Y_OF_RED, FLIP_Y_OF_GREEN, FLIP_Y_OF_BLUE), c));
-  float z = lab_root(dot(vec3(FLIP_Z_OF_RED, FLIP_Z_OF_GREEN, FLIP_Z_OF_BLUE), c));
-  float l = 116 * y - 16;
+  vec3 xyz = xyz_over_white(c);
+  float x = lab_root(xyz.x), y = lab_root(xyz.y), z = lab_root(xyz.z), l = 116 * y - 16;
   return vec3(l, FLIP_HUNT * l * 500 * (x - y), FLIP_HUNT * l * 200 * (y - z));
 }
 

@@ -4,6 +4,7 @@
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 #extension GL_EXT_control_flow_attributes : require
+#include "flip_colour.glsl"
 #include "flip_filters.glsl"
 #include "shared/workgroup.h"
 
@@ -17,10 +18,8 @@ layout(push_constant, scalar) uniform Push { ivec2 size_px; };
 /// sRGB as lightness and two opponent colours, linear (YyCxCz).
 vec3 opponent(vec3 srgb) {
   vec3 c = mix(pow((srgb + 0.055) / 1.055, vec3(2.4)), srgb / 12.92, lessThanEqual(srgb, vec3(0.04045)));
-  float x = dot(vec3(FLIP_X_OF_RED, FLIP_X_OF_GREEN, FLIP_X_OF_BLUE), c);
-  float y = dot(vec3(FLIP_Y_OF_RED, FLIP_Y_OF_GREEN, FLIP_Y_OF_BLUE), c);
-  float z = dot(vec3(FLIP_Z_OF_RED, FLIP_Z_OF_GREEN, FLIP_Z_OF_BLUE), c);
-  return vec3(116 * y - 16, 500 * (x - y), 200 * (y - z));
+  vec3 xyz = xyz_over_white(c);
+  return vec3(116 * xyz.y - 16, 500 * (xyz.x - xyz.y), 200 * (xyz.y - xyz.z));
 }
 
 /// The edge goes on.

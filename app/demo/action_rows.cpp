@@ -15,7 +15,7 @@ void change_setting(DemoState& state, const Setting& row, double value) {
 }
 
 std::string without_effect(const DemoState& state, const Setting& row) {
-  const bool used = !row.used.holds || row.used.holds(shown_settings(state));
+  const bool used = row.used.met_by(shown_settings(state));
   return used ? std::string{} : std::string(row.used.otherwise);
 }
 

@@ -8,9 +8,7 @@
 namespace unghost {
 namespace {
 
-bool has_effect(const Setting& row, const Settings& settings) {
-  return !row.used.holds || row.used.holds(settings);
-}
+bool has_effect(const Setting& row, const Settings& settings) { return row.used.met_by(settings); }
 
 /// Where two settings draw otherwise; null where they do not.
 const Setting* difference(const Settings& a, const Settings& b) {

@@ -75,7 +75,7 @@ bool edit(const Setting& row, Settings& settings) {
 
 /// One row; returns whether it was changed.
 bool edit_row(const Setting& row, Settings& settings, const Settings& usual, std::string& message) {
-  const bool used = row.used.holds == nullptr || row.used.holds(settings);
+  const bool used = row.used.met_by(settings);
   const bool differs = row.get(settings) != row.get(usual);
   if (differs) ImGui::PushStyleColor(ImGuiCol_Text, {1, 0.8f, 0.4f, 1});
   if (!used) ImGui::BeginDisabled();

@@ -90,7 +90,7 @@ std::vector<AtItsEnd> settings_at_their_ends(std::span<const ModeRun> modes) {
     base.taa = modes[mode].taa;
     for (const Setting& row : settings_table()) {
       if (!row.per_mode || row.kind != SettingKind::number) continue;
-      if (row.used.holds != nullptr && !row.used.holds(base)) continue;
+      if (!row.used.met_by(base)) continue;
       for (const float end : {row.low, row.high}) {
         Settings settings = base;
         row.write(settings, end);

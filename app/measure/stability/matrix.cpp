@@ -91,7 +91,7 @@ std::vector<ModeRun> stability_modes() {
         column.write(settings, column.kind == SettingKind::flags
                                    ? uint32_t(column.read(settings)) | answer.value
                                    : answer.value);
-        const bool has_effect = column.used.holds == nullptr || column.used.holds(settings);
+        const bool has_effect = column.used.met_by(settings);
         if (refusal(settings) || !has_effect || !settings.taa.policy.needs_history()) continue;
         modes.push_back({std::string(column.name) + "=" + answer.name, settings.taa});
         break;

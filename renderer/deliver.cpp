@@ -1,5 +1,7 @@
 #include "renderer/deliver.h"
 
+#include "shaders/shared/taa_key.h"
+
 #include <cassert>
 
 #include <glm/gtc/packing.hpp>
@@ -90,7 +92,8 @@ Delivered deliver(const FrameInput& input, Output what, const std::vector<std::b
     delivered.image = floats<uint8_t>(input, bytes, 1, 1, [](uint8_t tag) { return float(tag); });
     break;
   case Output::object:
-    delivered.image = floats<uint32_t>(input, bytes, 1, 1, [](uint32_t id) { return float(id); });
+    delivered.image =
+        floats<uint32_t>(input, bytes, 1, 1, [](uint32_t word) { return float(word & OBJECT_NODE); });
     break;
   case Output::sun_visibility:
     delivered.image = floats<uint8_t>(input, bytes, 1, 1, [](uint8_t share) { return float(share) / 255; });

@@ -10,6 +10,7 @@ struct PlacedObjects {
   std::vector<glm::dmat4> eye_from_object;
   std::vector<glm::mat4x3> previous_eye_from_object;
   std::vector<uint8_t> moved, mirrored;
+  bool lamps_moved = false;
 };
 
 /// Fills `visible`, `plain`, `casters` and `in_view`. Returns the texels of the shadow map that moving

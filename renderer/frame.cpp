@@ -5,8 +5,8 @@ namespace {
 
 FrameImages::OfGeometry draw_geometry(FrameGraph& graph, const FrameContext& in, ImageRef shadow_map) {
   const GBuffer gbuffer = draw_gbuffer(graph, in);
-  const Motion motion = resolve_motion(graph, in, gbuffer);
   const Lit lit = light(graph, in, gbuffer, shadow_map);
+  const Motion motion = resolve_motion(graph, in, gbuffer, lit);
   return {gbuffer, motion, lit};
 }
 

@@ -39,11 +39,19 @@ struct ShadowVersion {
   uint64_t number = 0;
 };
 
+/// What the last frame's light was made from.
+struct LastLight {
+  LightSettings settings;
+  std::vector<double> map_place; // of the shadow map
+  VkRect2D moving_shadows{};     // texels of it that moving casters lay in
+};
+
 /// What the frame before leaves behind, its images aside.
 struct LastFrame {
   std::vector<TaaPolicy> policies; // by place in the list of modes
   ShadowVersion shadows;
-  VkRect2D shadows_moved{}; // texels of the shadow map that moving casters lay in
+  uint32_t moved_ids = 0; // FrameContext's, of that frame alone
+  LastLight light;
 };
 
 struct FrameSetup {

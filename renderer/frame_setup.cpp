@@ -8,10 +8,12 @@
 #include "renderer/draw_lists.h"
 #include "renderer/frame.h"
 #include "renderer/geometry_sharing.h"
+#include "renderer/light_changes.h"
 #include "renderer/pose.h"
 #include "renderer/scene/bounds.h"
 #include "renderer/sun.h"
 #include "renderer/view.h"
+#include "shaders/shared/taa_key.h"
 
 namespace unghost {
 namespace {
@@ -33,6 +35,8 @@ PlacedObjects place_objects(const FrameInput& input, const Scene& scene, const G
     objects.previous_eye_from_object.emplace_back(relative_to(input.before.eye, before[size_t(node)]));
     objects.mirrored.push_back(glm::determinant(glm::dmat3(eye_from_object)) < 0);
   }
+  for (size_t n = 0; n < scene.nodes.size(); ++n)
+    objects.lamps_moved |= scene.nodes[n].light >= 0 && now[n] != before[n];
   return objects;
 }
 
@@ -151,6 +155,14 @@ bool shows_sun(const FrameInput& input) {
          std::ranges::find(input.wanted, Output::sun_visibility, &Wanted::what) != input.wanted.end();
 }
 
+/// Of this frame and the one before, which becomes this one.
+uint32_t moved_ids(const GpuScene& gpu, const PlacedObjects& objects, uint32_t& before) {
+  uint32_t now = 0;
+  for (size_t i = 0; i < objects.moved.size(); ++i)
+    if (objects.moved[i] != 0) now |= 1u << (gpu.object_words[i] >> OBJECT_ID_SHIFT);
+  return now | std::exchange(before, now);
+}
+
 /// By mode, whether its history is of another policy; `policies` become this frame's.
 std::vector<uint8_t> changes_of(std::vector<TaaPolicy>& policies, const std::vector<ModeRun>& modes) {
   std::vector<uint8_t> changed;
@@ -196,6 +208,7 @@ FrameSetup describe_frame(FrameGraph& graph, const FrameInput& given, const Scen
                   .mirrored = objects.mirrored,
                   .in_view = {},
                   .camera_moved = !same_view(input.now, input.before),
+                  .moved_ids = moved_ids(gpu, objects, before.moved_ids),
                   .sun_shines = shows_sun(input),
                   .more_features = features_of_all(graph, gpu.traits),
                   .shadow_texels = shadow_texels,
@@ -205,8 +218,12 @@ FrameSetup describe_frame(FrameGraph& graph, const FrameInput& given, const Scen
                   .policy_changed = changes_of(before.policies, input.modes),
                   .tagged = tagged_range(input, gpu, objects),
                   .timed = input.timed};
-  in.shadows_moved_before =
-      std::exchange(before.shadows_moved, list_draws(graph, in, constants, gpu, objects));
+  in.shadows_moved_before = before.light.moving_shadows;
+  describe_light_changes(constants, input,
+                         {.moving_shadows = list_draws(graph, in, constants, gpu, objects),
+                          .map_place = map_place,
+                          .lamps_moved = objects.lamps_moved},
+                         before.light);
 
   const SharedGeometries shared = share_geometries(input);
   FrameSetup setup{.contexts = {}, .geometry_of = shared.of_mode};

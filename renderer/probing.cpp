@@ -7,6 +7,7 @@
 #include <glm/gtc/packing.hpp>
 
 #include "renderer/deliver.h"
+#include "shaders/shared/taa_key.h"
 
 namespace unghost {
 namespace {
@@ -45,12 +46,16 @@ void take_resolve(ProbedPixel& pixel, const std::vector<std::byte>& texels,
              bounded = element<glm::vec4>(texels, TAA_PROBE_BOUNDED),
              why = element<glm::vec4>(texels, TAA_PROBE_WHY);
   pixel.weight = bounded.w, pixel.count = why.z;
-  pixel.causes = Reject(uint32_t(why.y));
+  const uint32_t reasons = uint32_t(why.y), kind = reasons >> TAA_CLASS_SHIFT;
+  pixel.causes = Reject(reasons & ((1u << TAA_CLASS_SHIFT) - 1));
+  pixel.mixed_in = glm::vec3(element<glm::vec4>(texels, TAA_PROBE_INPUT));
   if (why.w == 0) return;
   const auto speaker = size_t(found.w);
   pixel.history = {.found = glm::vec3(found),
                    .bounded = glm::vec3(bounded),
                    .moved = why.x,
+                   .rectified =
+                       pixel.mode.taa.policy.where == Where::everywhere || (kind & TAA_CLASS_UNKNOWN) != 0,
                    .speaker = speaker,
                    .at_px = glm::dvec2(pixel.input.x, pixel.input.y) + 0.5 + glm::dvec2(motions[speaker])};
 }
@@ -86,7 +91,7 @@ ProbedPixel probed(const FrameInput& input, std::span<const std::vector<std::byt
                     .depth_m = float(input.now.near_plane) / element<float>(readbacks[depth]),
                     .motion_px = motions[4],
                     .tag = element<uint8_t>(readbacks[tag]),
-                    .object = element<uint32_t>(readbacks[object])};
+                    .object = element<uint32_t>(readbacks[object]) & OBJECT_NODE};
   std::ranges::transform(nine<uint64_t>(input, readbacks[colours]), pixel.colours.begin(), unpacked);
   if (resolves(input)) take_resolve(pixel, readbacks[of_resolve], motions);
   return pixel;

@@ -8,9 +8,12 @@
 
 #include "renderer/gpu/device.h"
 #include "renderer/passes/passes.h"
+#include "shaders/shared/taa_key.h"
 
 namespace unghost {
 namespace {
+
+constexpr float near_plane = 0.1f;
 
 Scene one_material() {
   Scene scene;
@@ -23,6 +26,15 @@ std::vector<uint32_t> tagged_depth(const ResolveInputs& inputs) {
   std::vector<uint32_t> packed;
   for (size_t i = 0; i < inputs.depth.size(); ++i)
     packed.push_back((std::bit_cast<uint32_t>(inputs.depth[i]) & ~0xffu) | inputs.tags[i]);
+  return packed;
+}
+
+std::vector<uint32_t> keys(const ResolveInputs& inputs) {
+  std::vector<uint32_t> packed;
+  for (size_t i = 0; i < inputs.depth.size(); ++i) {
+    const float zoom = inputs.expected_depth[i] * inputs.depth[i] / near_plane - 1;
+    packed.push_back(key_of(inputs.depth[i], inputs.objects[i], light_word(inputs.light[i], true), zoom));
+  }
   return packed;
 }
 
@@ -106,6 +118,7 @@ TaaInputs uploaded(Uploads& uploads, const ResolveInputs& inputs) {
   images.motion.motion_px = uploads.image(inputs.motion, VK_FORMAT_R32G32_SFLOAT);
   images.motion.depth = uploads.image(tagged_depth(inputs), VK_FORMAT_R32_SFLOAT);
   images.motion.previous_depth = uploads.image(inputs.expected_depth, VK_FORMAT_R32_SFLOAT);
+  images.motion.key = uploads.image(keys(inputs), VK_FORMAT_R32_UINT);
   images.gbuffer.object = uploads.image(inputs.objects, VK_FORMAT_R32_UINT);
   images.gbuffer.depth = uploads.depth(inputs);
   return images;
@@ -136,7 +149,7 @@ struct ResolveAlone::Parts {
     FrameConstants constants{};
     constants.size_px = {inputs.width, inputs.height};
     constants.inverse_size_px = 1.0f / constants.size_px;
-    constants.near_plane = 0.1f;
+    constants.near_plane = near_plane;
     const FrameContext in{.scene = scene,
                           .modes = runs,
                           .size = {inputs.width, inputs.height},

@@ -23,13 +23,14 @@ struct ResolveInputs {
   std::vector<glm::vec2> motion;     // pixels
   std::vector<float> depth;          // reversed, near plane 0.1 m
   std::vector<float> expected_depth; // metres
-  std::vector<uint32_t> objects;
+  std::vector<uint32_t> objects;     // OBJECT_ words of shaders/shared/taa_key.h
   std::vector<uint8_t> tags;
+  std::vector<float> light; // that arrives: 1 under the open sky and its sun
 
   explicit ResolveInputs(uint32_t w = 16, uint32_t h = 16)
       : width(w), height(h), colours(size_t(w) * h, glm::vec3(0.5f)), motion(colours.size()),
         depth(colours.size(), 0.01f), expected_depth(colours.size(), 10), objects(colours.size(), 1),
-        tags(colours.size()) {}
+        tags(colours.size()), light(colours.size(), 1) {}
   size_t at(uint32_t x, uint32_t y) const { return size_t(y) * width + x; }
 };
 

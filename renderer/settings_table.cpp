@@ -56,6 +56,16 @@ constexpr Condition has_variance{
 
 template <Reject test> constexpr bool tests(const Settings& s) { return s.taa.policy.rejects(test); }
 constexpr Condition near_moving{tests<Reject::near_moving>, "nothing but reject=near-moving reads it"};
+constexpr Condition asks_what_moves{tests<Reject::near_moving | Reject::moved_object>,
+                                    "nothing but reject=near-moving and moved-object reads it"};
+constexpr Condition by_speed{[](const Settings& s) { return s.taa.policy.blend == Blend::speed; },
+                             "only blend=speed reads it"};
+constexpr Condition centres_input{
+    [](const Settings& s) { return s.taa.policy.needs_history() && s.taa.policy.input == Input::centred; },
+    "only input=centred has a filter"};
+constexpr Condition knows_fast{
+    [](const Settings& s) { return by_speed.met_by(s) || centres_input.met_by(s); },
+    "only blend=speed and input=centred read it"};
 constexpr Condition velocity{tests<Reject::velocity>, "nothing but reject=velocity reads it"};
 constexpr Condition motion_length{tests<Reject::motion_length>, "nothing but reject=motion-length reads it"};
 constexpr Condition speed{tests<Reject::speed>, "nothing but reject=speed reads it"};
@@ -87,14 +97,18 @@ std::span<const Setting> settings_table() {
     policy<&Policy::space>({"space", "", "The colour space in which the history is bounded.", "Karis 2014", 0, 0, rectifies}),
     policy<&Policy::weighting>({"weighting", "", "What keeps bright pixels from flickering.", trail, 0, 0, keeps_history}),
     policy<&Policy::rectify>({"rectify", "", "How the history is bounded by this frame's 3x3 neighbourhood.", "Lottes 2011; Karis 2014; Salvi 2016; Ikkala et al. 2024", 0, 0, keeps_history}),
+    policy<&Policy::where>({"where", "", "Which pixels are bounded: all, or those of which no cause is known (glossy; edges of what moves).", "", 0, 0, rectifies}),
     policy<&Policy::axes>({"axes", "", "The axes of the polytope.", "Ikkala et al. 2024", 0, 0, has_axes}),
     policy<&Policy::reject>({"reject", "", "When the history is given up: 'nothing', or a list with commas.", tour, 0, 0, keeps_history}),
+    policy<&Policy::fill>({"fill", "", "What stands where the history was given up: the new frame, blurred or plain.", tour, 0, 0, keeps_history}),
     policy<&Policy::blend>({"blend", "", "How the weight of the current frame is found."}),
+    policy<&Policy::input>({"input", "", "The new frame as it was sampled, or filtered about each pixel's middle where the picture is fast.", "Karis 2014", 0, 0, keeps_history}),
     policy<&Policy::keeps>({"keeps", "", "What the next frame finds: the result, or the frame as it came in.", "Sousa 2011", 0, 0, keeps_history}),
     taa<&Taa::alpha>({"alpha", "", "The weight of the current frame.", "", 0, 1, keeps_history}),
     taa<&Taa::gamma>({"gamma", "", "How many standard deviations the variance's volume reaches.", "Salvi 2016", 0, 10, has_variance}),
+    taa<&Taa::cubic>({"cubic", "", "How sharp the cubic is that reads the history; 0.5 is Catmull-Rom.", "Keys 1981", 0, 1, overshoots}),
     taa<&Taa::jitter_scale>({"jitter-scale", px, "The width of the square that the jitter fills.", gdk, 0, 1, jitters}),
-    taa<&Taa::motion_threshold_px>({"motion-threshold", px_a_frame, "near-moving acts on what is faster.", tour, 0, 1000, near_moving}),
+    taa<&Taa::motion_threshold_px>({"motion-threshold", px_a_frame, "near-moving and moved-object act on what is faster.", tour, 0, 1000, asks_what_moves}),
     taa<&Taa::near_m>({"near", m, "near-moving gives up all history nearer than this; 0: the far end of what is tagged.", tour, 0, 1e5f, near_moving}),
     taa<&Taa::far_m>({"far", m, "near-moving keeps all history beyond this; 0: a vehicle's length beyond near.", tour, 0, 1e5f, near_moving}),
     taa<&Taa::velocity_min>({"velocity-min", "shares of the picture", "velocity overlooks a smaller difference.", trail, 0, 1, velocity}),
@@ -102,6 +116,11 @@ std::span<const Setting> settings_table() {
     taa<&Taa::motion_length_px>({"motion-length", px_a_frame, "motion-length rejects where lengths differ by more.", "Sousa 2011", 0, 1000, motion_length}),
     taa<&Taa::speed_px>({"speed-limit", px_a_frame, "speed rejects what is or was faster.", "Wronski 2014", 0, 1000, speed}),
     taa<&Taa::depth_share>({"depth-share", "", "depth rejects where the distance differs by more than this share.", trail, 0, 10, depth}),
+    taa<&Taa::fast_alpha>({"fast-alpha", "", "The weight of the current frame where the picture is fast.", "", 0, 1, by_speed}),
+    taa<&Taa::fast_px>({"fast", px_a_frame, "What is as fast as this, or faster, counts as fast.", "", 0.01f, 1000, knows_fast}),
+    taa<&Taa::centred_px>({"centred", px, "The width of the filter about the middle: a standard deviation.", "", 0.1f, 2, centres_input}),
+    taa<&Taa::zoom_weight>({"zoom-weight", "", "What each share by which a surface came nearer adds to the weight.", "", 0, 100, by_speed}),
+    taa<&Taa::mixed_alpha>({"mixed-alpha", "", "The least weight of the current frame at edges of what moves.", "", 0, 1, by_speed}),
     taa<&Taa::sharpen>({"sharpen", "", "Sharpens after the resolve; 2 is the GDK sample's.", gdk, 0, 10}),
     taa<&Taa::mip_bias>({"mip-bias", "levels", "Takes sharper levels of textures.", gdk, -2, 0}),
     taa<&Taa::texture_jitter>({"texture-jitter", "", "Whether textures move with the jitter.", trail, 0, 0, jitters}),

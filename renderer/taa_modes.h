@@ -18,9 +18,12 @@ enum class Ringing : uint32_t { TAA_RINGING(UNGHOST_ENUMERATOR) };
 enum class Space : uint32_t { TAA_SPACE(UNGHOST_ENUMERATOR) };
 enum class Weighting : uint32_t { TAA_WEIGHTING(UNGHOST_ENUMERATOR) };
 enum class Rectify : uint32_t { TAA_RECTIFY(UNGHOST_ENUMERATOR) };
+enum class Where : uint32_t { TAA_WHERE(UNGHOST_ENUMERATOR) };
 enum class Axes : uint32_t { TAA_AXES(UNGHOST_ENUMERATOR) };
 enum class Reject : uint32_t { nothing = 0, TAA_REJECT(UNGHOST_ENUMERATOR) };
+enum class Fill : uint32_t { TAA_FILL(UNGHOST_ENUMERATOR) };
 enum class Blend : uint32_t { TAA_BLEND(UNGHOST_ENUMERATOR) };
+enum class Input : uint32_t { TAA_INPUT(UNGHOST_ENUMERATOR) };
 enum class Keeps : uint32_t { TAA_KEEPS(UNGHOST_ENUMERATOR) };
 enum class Store : uint32_t { TAA_STORE(UNGHOST_ENUMERATOR) };
 enum class TextureJitter : uint32_t { TAA_TEXTURE_JITTER(UNGHOST_ENUMERATOR) };
@@ -39,9 +42,12 @@ struct TaaPolicy {
   Space space = Space::rgb;
   Weighting weighting = Weighting::none;
   Rectify rectify = Rectify::none;
+  Where where = Where::everywhere;
   Axes axes = Axes::dop32;
   Reject reject = Reject::nothing;
+  Fill fill = Fill::blurred;
   Blend blend = Blend::current;
+  Input input = Input::sampled;
   Keeps keeps = Keeps::result;
 
   bool operator==(const TaaPolicy&) const = default;
@@ -62,7 +68,16 @@ struct TaaPolicy {
     return rejects(Reject::velocity | Reject::motion_length | Reject::speed);
   }
   bool needs_previous_depth() const { return rejects(Reject::depth); }
-  bool needs_previous_objects() const { return rejects(Reject::object); }
+  /// The history's alpha has one place: where keys take it, tags are kept with the objects.
+  bool needs_previous_objects() const {
+    return rejects(Reject::object) || (needs_key() && rejects(Reject::tag));
+  }
+  bool rectifies_unknown_only() const { return where == Where::unknown && rectify != Rectify::none; }
+  /// What rejects, weighs or bounds by known causes asks for a key a pixel (shaders/shared/taa_key.h).
+  bool needs_key() const {
+    return needs_history() && (has(reject, Reject::moved_object | Reject::visibility) ||
+                               blend == Blend::speed || rectifies_unknown_only());
+  }
 };
 
 /// The answers, and how much of each. Metres, pixels a frame, shares.
@@ -71,7 +86,7 @@ struct TaaSettings {
   float alpha = 0.1f;               // weight of the current frame
   float gamma = 1.0f;               // variance: this many standard deviations
   float jitter_scale = 1.0f;        // 0 to 1, of a pixel
-  float motion_threshold_px = 1.0f; // near and moving: faster than this
+  float motion_threshold_px = 1.0f; // near and moving, moved object: faster than this
   float near_m = 0.0f;              // near and moving: nearer than this, all of the history goes; 0: found
   float far_m = 0.0f;               // and beyond this, none; 0: found
   float velocity_min = 0.001f;      // velocity: a difference of this share of the picture's sides is none
@@ -81,6 +96,12 @@ struct TaaSettings {
   float motion_length_px = 3.0f;
   float speed_px = 2.0f;    // speed: faster than this
   float depth_share = 0.1f; // depth: differs by more than this share of it
+  float fast_alpha = 0.42f; // blend by speed: the weight of the current frame where the picture is
+  float fast_px = 2.0f;     // so fast
+  float centred_px = 0.42f; // input centred: the standard deviation of its filter
+  float zoom_weight = 2.0f; // and by so much more for each share that it came nearer
+  float mixed_alpha = 0.6f; // and at least this where edges move
+  float cubic = 0.5f;       // history: the cubic filter's sharpness; 0.5 is Catmull-Rom
   float sharpen = 0.0f;     // after the resolve; 0: none
   float mip_bias = 0.0f;    // of the textures of what is drawn, -2 to 0
   TextureJitter texture_jitter = TextureJitter::kept;

@@ -2,6 +2,7 @@
 #extension GL_GOOGLE_include_directive : require
 #define UNGHOST_FRAGMENT
 #include "draw.glsl"
+#include "shared/taa_key.h"
 
 layout(location = 0) in vec3 in_normal;
 layout(location = 1) in vec4 in_tangent;
@@ -26,6 +27,9 @@ layout(location = 5) out uint out_id;
 
 // A mirror would need rays; and roughness 0 is taken: it marks a surface that light does not change.
 const float least_roughness = 0.03;
+
+/// Whether what is seen in it does not stay with the surface: a coat, or a lobe a few degrees wide.
+bool mirrors(vec4 material) { return material.z >= 0.1 || (material.x > 0 && material.x <= 0.3); }
 
 /// In the frame of the front, and turned over as a whole for the back.
 vec3 shading_normal(float normal_scale) {
@@ -81,6 +85,9 @@ void main() {
   out_motion = moved ? vec4(motion_of_object(), 1) : vec4(0);
 #endif
 #ifdef WRITES_OBJECT
-  out_id = draw.object_id;
+  out_id = draw.object_word;
+#ifdef WRITES_SHADING
+  if (mirrors(out_material)) out_id |= OBJECT_GLOSSY;
+#endif
 #endif
 }

@@ -1,5 +1,5 @@
 // Reading the history between its pixels. `at` is in pixels, centres at .5; beyond the edge the edge goes on. Its alpha
-// is the tag of what was there.
+// is the tag of what was there, or of a keyed row what it keeps of keys (taa_key.glsl).
 #ifndef UNGHOST_HISTORY_GLSL
 #define UNGHOST_HISTORY_GLSL
 
@@ -20,10 +20,12 @@ vec3 bilinear(vec2 at) {
   return mix(top, bottom, f.y);
 }
 
-/// Weights of the four texels around f, for the two in the middle lying at 0 and 1 (Catmull and Rom 1974).
+/// Weights of the four texels around f, for the two in the middle lying at 0 and 1: the interpolating cubics of Keys 1981,
+/// of which Catmull's and Rom's (1974) is that with c = 0.5.
 vec4 catmull_rom_weights(float f) {
-  return vec4(((-0.5 * f + 1) * f - 0.5) * f, (1.5 * f - 2.5) * f * f + 1, ((-1.5 * f + 2) * f + 0.5) * f,
-              (0.5 * f - 0.5) * f * f);
+  float c = push.cubic;
+  return vec4(((2 * c - c * f) * f - c) * f, ((2 - c) * f - (3 - c)) * f * f + 1, (((c - 2) * f + (3 - 2 * c)) * f + c) * f,
+              (c * f - c) * f * f);
 }
 
 /// A colour, and the bounds of the four texels around it.
@@ -33,19 +35,30 @@ struct Filtered {
 
 ivec2 catmull_rom_corner(vec2 at) { return ivec2(floor(at - 0.5)) - 1; }
 
-/// 16 loads.
-Filtered catmull_rom_16(vec2 at) {
+/// Without the corners, the weights that remain.
+float cross_share(vec4 across, vec4 down) { return 1 - (across.x + across.w) * (down.x + down.w); }
+
+/// 16 loads; or 12, without the corners, renormalised: the kernel of five taps.
+Filtered catmull_rom_loads(vec2 at, bool corners) {
   ivec2 corner = catmull_rom_corner(at);
   vec2 f = fract(at - 0.5);
   vec4 across = catmull_rom_weights(f.x), down = catmull_rom_weights(f.y);
   Filtered r = Filtered(vec3(0), vec3(1e30), vec3(0));
   for (int y = 0; y < 4; ++y) {
     vec3 row[4];
-    for (int x = 0; x < 4; ++x) row[x] = history_texel(corner + ivec2(x, y)).rgb;
-    r.colour += down[y] * (across[0] * row[0] + across[1] * row[1] + across[2] * row[2] + across[3] * row[3]);
+    bool whole = corners || y == 1 || y == 2;
+    for (int x = 0; x < 4; ++x)
+      row[x] = whole || x == 1 || x == 2 ? history_texel(corner + ivec2(x, y)).rgb : vec3(0);
+    if (corners)
+      r.colour += down[y] * (across[0] * row[0] + across[1] * row[1] + across[2] * row[2] + across[3] * row[3]);
+    else {  // in the order in which the fast resolve adds
+      r.colour += down[y] * (across[1] * row[1] + across[2] * row[2]);
+      if (whole) r.colour += down[y] * (across[0] * row[0] + across[3] * row[3]);
+    }
     if (ringing == ringing_clamped && (y == 1 || y == 2))
       r.low = min(r.low, min(row[1], row[2])), r.high = max(r.high, max(row[1], row[2]));
   }
+  if (!corners) r.colour /= cross_share(across, down);
   return r;
 }
 
@@ -85,16 +98,17 @@ vec3 read_history(vec2 at) {
   case history_bilinear: return bilinear(at);
   case history_catmull_rom_9: return bounded(catmull_rom_taps(at, true));
   case history_catmull_rom_5: return bounded(catmull_rom_taps(at, false));
-  default: return bounded(catmull_rom_16(at));
+  case history_catmull_rom_12: return bounded(catmull_rom_loads(at, false));
+  default: return bounded(catmull_rom_loads(at, true));
   }
 }
 
-/// The tags of the four pixels that it comes from: x first, then y.
-vec4 read_tags(vec2 at) {
+/// The alphas of the four pixels that it comes from: x first, then y.
+vec4 read_alphas(vec2 at) {
   ivec2 corner = ivec2(floor(at - 0.5));
-  vec4 tags;
-  for (int i = 0; i < 4; ++i) tags[i] = history_texel(corner + ivec2(i & 1, i >> 1)).a;
-  return tags;
+  vec4 alphas;
+  for (int i = 0; i < 4; ++i) alphas[i] = history_texel(corner + ivec2(i & 1, i >> 1)).a;
+  return alphas;
 }
 
 /// How many frames the history holds there.

@@ -4,6 +4,7 @@
 #include "fullscreen.glsl"
 #include "brdf.glsl"
 #include "sky.glsl"
+#include "shared/taa_key.h"
 
 layout(constant_id = 0) const bool has_emissive = false;
 layout(constant_id = 1) const uint light_count = 0;
@@ -11,6 +12,7 @@ layout(constant_id = 2) const bool keeps_visibility = false;
 layout(constant_id = 3) const bool has_surfaces = false;
 layout(constant_id = 4) const bool has_lit = false;  // surfaces that light changes
 layout(constant_id = 5) const bool has_sun = false;
+layout(constant_id = 6) const bool keeps_irradiance = false;
 
 layout(set = 0, binding = LIGHT_ALBEDO) uniform texture2D albedo_map;
 layout(set = 0, binding = LIGHT_NORMAL) uniform texture2D normal_map;
@@ -21,6 +23,7 @@ layout(set = 0, binding = LIGHT_SHADOW_MAP) uniform texture2D shadow_map;
 layout(set = 0, binding = LIGHT_LIGHTS, scalar) readonly buffer Lights { LightData lights[]; };
 layout(set = 0, binding = LIGHT_OUT, rgba16f) uniform writeonly image2D lit_out;
 layout(set = 0, binding = LIGHT_VISIBILITY_OUT, r8) uniform writeonly image2D visibility_out;
+layout(set = 0, binding = LIGHT_IRRADIANCE_OUT, r8ui) uniform writeonly uimage2D irradiance_out;
 
 /// GGX of this width peaks where the sun's disc in visible_sky does: nothing mirrors more than there is.
 const float sun_alpha = 0.036;
@@ -39,14 +42,15 @@ float sun_visibility(vec3 position_eye, vec3 normal) {
   vec2 f = fract(texel);
   vec4 across = vec4(1 - f.x, 1, 1, f.x), down = vec4(1 - f.y, 1, 1, f.y);
   ivec2 last = ivec2(int(frame.shadow_texels) - 1);
-  float seen = 0;
+  precise float seen = 0;
   for (int y = 0; y < 4; ++y) {
     vec4 row;
     for (int x = 0; x < 4; ++x)
       row[x] = texelFetch(shadow_map, clamp(corner + ivec2(x, y), ivec2(0), last), 0).r >= at.z ? 1.0 : 0.0;
     seen += dot(row, across) * down[y];
   }
-  return mix(1, seen / 9, inside);
+  precise float visibility = mix(1, seen / 9, inside);  // the same whoever else asks for it
+  return visibility;
 }
 
 /// A quarter of the share of a level surface's sky that a rectangle above hides: its corner lies over the surface, its
@@ -82,7 +86,9 @@ vec3 from_environment(Surface s, vec3 to_eye) {
   return base * s.occlusion;
 }
 
-vec3 from_lamps(Surface s, vec3 position_eye, vec3 to_eye) {
+/// `arriving`: their light, whatever the surface makes of it.
+vec3 from_lamps(Surface s, vec3 position_eye, vec3 to_eye, out float arriving) {
+  arriving = 0;
   vec3 sum = vec3(0);
   for (uint i = 0; i < light_count; ++i) {
     LightData lamp = lights[i];
@@ -93,14 +99,31 @@ vec3 from_lamps(Surface s, vec3 position_eye, vec3 to_eye) {
     float range = clamp(1 - pow(distance2 * lamp.inverse_range_squared, 2), 0, 1);
     float falloff = lamp.directional != 0 ? 1 : share * share * range / distance2;
     sum += lamp.intensity * falloff * reflect_light(s, to_eye, l, 0);
+    if (keeps_irradiance) arriving += luminance(lamp.intensity) * falloff;
   }
   return sum;
 }
 
+/// Light that arrives at a level surface, whatever it makes of it, of that of the open sky and its sun.
+float demodulated(float visibility, float of_sky, float of_lamps) {
+  float sun = has_sun ? luminance(frame.sun_illuminance) * max(frame.towards_sun.y, 0) : 0;
+  float sky = pi * luminance(sky_radiance(vec3(0, 1, 0), 1));
+  return (sun * visibility + sky * of_sky + of_lamps) / max(sun + sky, 1e-6);
+}
+
+/// Whether it may be another than in the last frame.
+bool light_may_change(vec3 position_eye, float of_sky) {
+  vec2 at = (frame.shadow_from_eye * vec4(position_eye, 1)).xy;
+  bool in_moving_shadow = has_sun && all(greaterThanEqual(at, frame.shadows_move_from)) &&
+                          all(lessThanEqual(at, frame.shadows_move_to));
+  bool below_vehicle = of_sky < 1 && (frame.light_changes & LIGHT_CHANGES_UNDERSIDE) != 0;
+  return in_moving_shadow || below_vehicle || (frame.light_changes & LIGHT_CHANGES_ALL) != 0;
+}
+
 vec3 own_light(ivec2 pixel) { return has_emissive ? texelFetch(emissive_map, pixel, 0).rgb : vec3(0); }
 
-/// What a surface sends to the eye, and how much of the sun it sees.
-vec3 lit_surface(ivec2 pixel, vec3 ray, float depth, inout float visibility) {
+/// What a surface sends to the eye, how much of the sun it sees, and how much light reaches it.
+vec3 lit_surface(ivec2 pixel, vec3 ray, float depth, inout float visibility, inout uint irradiance) {
   vec4 material = texelFetch(material_map, pixel, 0);
   if (material.x == 0) return own_light(pixel);
   vec4 albedo = texelFetch(albedo_map, pixel, 0);
@@ -109,7 +132,10 @@ vec3 lit_surface(ivec2 pixel, vec3 ray, float depth, inout float visibility) {
   vec3 position_eye = ray * linear_depth(depth);
   vec3 to_eye = normalize(-ray);
   if (has_sun) visibility = dot(normal, frame.towards_sun) > 0 ? sun_visibility(position_eye, normal) : 0;
-  vec3 colour = from_environment(s, to_eye) * sky_share(position_eye, normal) + from_lamps(s, position_eye, to_eye);
+  float of_lamps;
+  precise float of_sky = sky_share(position_eye, normal);
+  precise vec3 colour = from_environment(s, to_eye) * of_sky + from_lamps(s, position_eye, to_eye, of_lamps);
+  if (keeps_irradiance) irradiance = light_word(demodulated(visibility, of_sky, of_lamps), light_may_change(position_eye, of_sky));
   if (has_sun && visibility > 0)
     colour += reflect_light(s, to_eye, frame.towards_sun, sun_alpha) * frame.sun_illuminance * visibility;
   if (has_emissive) colour += own_light(pixel);
@@ -122,10 +148,12 @@ void main() {
   if (has_surfaces) depth = texelFetch(depth_map, pixel, 0).r;
   vec3 ray = frame.eye_from_view * view_ray(vec2(pixel) + 0.5);
   float visibility = 1;
+  uint irradiance = light_word(1, false);
   vec3 colour = vec3(0);
   if (!has_surfaces || depth <= 0) colour = visible_sky(normalize(ray));
-  else if (has_lit) colour = lit_surface(pixel, ray, depth, visibility);
+  else if (has_lit) colour = lit_surface(pixel, ray, depth, visibility, irradiance);
   else colour = own_light(pixel);
   imageStore(lit_out, pixel, vec4(min(colour, vec3(brightest)), 1));
   if (keeps_visibility) imageStore(visibility_out, pixel, vec4(visibility));
+  if (keeps_irradiance) imageStore(irradiance_out, pixel, uvec4(irradiance));
 }

@@ -2,19 +2,25 @@
 #extension GL_GOOGLE_include_directive : require
 #include "frame.glsl"
 #include "fullscreen.glsl"
+#include "shared/taa_key.h"
 
 layout(constant_id = 0) const bool objects_moved = false;
 layout(constant_id = 1) const bool keeps_previous_depth = false;
 layout(constant_id = 2) const bool keeps_depth = false;
 layout(constant_id = 3) const bool has_surfaces = false;
 layout(constant_id = 4) const bool has_tags = false;
+layout(constant_id = 5) const bool keeps_key = false;
+layout(constant_id = 6) const bool has_irradiance = false;
 
 layout(set = 0, binding = MOTION_DEPTH) uniform texture2D depth_map;
 layout(set = 0, binding = MOTION_TAG) uniform utexture2D tag_map;
 layout(set = 0, binding = MOTION_OF_OBJECTS) uniform texture2D object_motion;
+layout(set = 0, binding = MOTION_OBJECT) uniform utexture2D object_map;
+layout(set = 0, binding = MOTION_IRRADIANCE) uniform utexture2D irradiance_map;
 layout(set = 0, binding = MOTION_OUT, rg32f) uniform writeonly image2D motion_out;
 layout(set = 0, binding = MOTION_PREVIOUS_DEPTH_OUT, r32f) uniform writeonly image2D previous_depth_out;
 layout(set = 0, binding = MOTION_DEPTH_OUT, r32f) uniform writeonly image2D depth_out;
+layout(set = 0, binding = MOTION_KEY_OUT, r32ui) uniform writeonly uimage2D key_out;
 
 /// Motion of what rests, in pixels, and where it was along last frame's view axis. Written as differences from this
 /// frame, so that a camera at rest gives exactly 0.
@@ -42,5 +48,11 @@ void main() {
   if (keeps_depth) {
     uint tag = has_tags ? texelFetch(tag_map, pixel, 0).r : 0;
     imageStore(depth_out, pixel, vec4(with_tag(depth, tag), 0, 0, 0));
+  }
+  if (keeps_key) {
+    uint object = has_surfaces ? texelFetch(object_map, pixel, 0).r : 0;
+    uint light = has_irradiance ? texelFetch(irradiance_map, pixel, 0).r : light_word(1, false);
+    float zoom = depth > 0 ? motion.z * (depth / frame.near_plane) - 1 : 0;
+    imageStore(key_out, pixel, uvec4(key_of(depth, object, light, zoom)));
   }
 }

@@ -21,24 +21,27 @@ struct Strip {
   vec3 colours[3 * COLUMN];
   vec3 centres[COLUMN];  // linear
   vec3 blurred_rows[COLUMN];
+  vec3 centred_rows[COLUMN];
 };
 
 Strip gather(ivec2 first) {
   Strip s;
   int last_y = last_pixel().y, last_x = last_pixel().x;
   int left = max(first.x - 1, 0), right = min(first.x + 1, last_x);
+  vec3 weights = centred_weights(frame.jitter_px.x);
   for (int y = 0; y < COLUMN; ++y) {
     int at = clamp(first.y + y - 1, 0, last_y);
     vec3 a = colour_at(ivec2(left, at)), b = colour_at(ivec2(first.x, at)), c = colour_at(ivec2(right, at));
     s.centres[y] = b;
     if (needs_blurred()) s.blurred_rows[y] = (a + c) + 2 * b;
+    if (centres_input()) s.centred_rows[y] = weights.x * a + weights.y * b + weights.z * c;
     s.colours[3 * y] = to_working(a), s.colours[3 * y + 1] = to_working(b), s.colours[3 * y + 2] = to_working(c);
   }
   return s;
 }
 
 Speaker speaker_with(ivec2 at, float loaded_depth) {
-  return Speaker(at, comparable_depth(loaded_depth), reads_tags ? tag_of(loaded_depth) : 0);
+  return Speaker(at, comparable_depth(loaded_depth), reads_tags ? tag_of(loaded_depth) : 0, 0, nothing_around);
 }
 
 Speaker speaker_at(ivec2 at) {
@@ -73,7 +76,70 @@ void speakers_by_rank(ivec2 first, out Speaker speakers[R]) {
   }
 }
 
+/// What the keys of a row of three have in common, and which is the closest.
+struct KeyRow {
+  uint most, least, ids, sum;
+  int column;
+};
+
+KeyRow key_row(uint a, uint b, uint c, ivec3 columns) {
+  KeyRow r;
+  r.most = a, r.column = columns.x;
+  if (rank_of_key(b) > rank_of_key(r.most)) r.most = b, r.column = columns.y;
+  if (rank_of_key(c) > rank_of_key(r.most)) r.most = c, r.column = columns.z;
+  r.least = min(min(a, b), c);
+  r.ids = id_bit_of_key(a) | id_bit_of_key(b) | id_bit_of_key(c);
+  r.sum = light_step_of(a) + light_step_of(b) + light_step_of(c);
+  return r;
+}
+
+Around around_by(uint own, KeyRow a, KeyRow b, KeyRow c) {
+  uint most = max(max(a.most, b.most), c.most), least = min(min(a.least, b.least), c.least),
+       ids = a.ids | b.ids | c.ids;
+  float depth = depth_of_key(own);
+  bool mixed = several(ids) || depth_of_key(most) > 1.25 * depth || depth_of_key(least) < 0.8 * depth;
+  return Around(own, mixed, (ids & push.moved_ids) != 0, mean_lightness(a.sum + b.sum + c.sum));
+}
+
+/// As speakers_by_rank, by keys, and what those around say beside.
+void speakers_by_key(ivec2 first, out Speaker speakers[R]) {
+  KeyRow rows[COLUMN];
+  uint own[COLUMN];
+  ivec3 columns = ivec3(max(first.x - 1, 0), first.x, min(first.x + 1, last_pixel().x));
+  for (int y = 0; y < COLUMN; ++y) {
+    int at = clamp(first.y + y - 1, 0, last_pixel().y);
+    own[y] = key_at(ivec2(columns.y, at));
+    rows[y] = key_row(key_at(ivec2(columns.x, at)), own[y], key_at(ivec2(columns.z, at)), columns);
+  }
+  for (int i = 0; i < R; ++i) {
+    ivec2 pixel = inside(first + ivec2(0, i)), at = ivec2(rows[i].column, max(first.y + i - 1, 0));
+    uint key = rows[i].most;
+    if (rank_of_key(rows[i + 1].most) > rank_of_key(key))
+      key = rows[i + 1].most, at = ivec2(rows[i + 1].column, first.y + i);
+    if (rank_of_key(rows[i + 2].most) > rank_of_key(key))
+      key = rows[i + 2].most, at = ivec2(rows[i + 2].column, min(first.y + i + 1, last_pixel().y));
+    bool moves = dilation == dilation_depth_edges ? is_edge(own[i + 1], key)
+                                                  : dilation == dilation_closest_depth &&
+                                                        rank_of_key(key) > rank_of_key(own[i + 1]);
+    if (!moves) key = own[i + 1], at = pixel;
+    bool asks = asks_for_depth() || reads_tags;
+    speakers[i] = asks ? speaker_at(at) : speaker_with(at, 0);
+    speakers[i].key = key, speakers[i].around = around_by(own[i + 1], rows[i], rows[i + 1], rows[i + 2]);
+  }
+}
+
 void speakers_of(ivec2 first, out Speaker speakers[R]) {
+  if (keyed()) {
+    speakers_by_key(first, speakers);
+    if (dilation != dilation_longest) return;
+    Speaker by_motion[R];
+    speakers_by_rank(first, by_motion);
+    for (int i = 0; i < R; ++i) {
+      by_motion[i].around = speakers[i].around;
+      speakers[i] = by_motion[i], speakers[i].key = key_at(by_motion[i].at);
+    }
+    return;
+  }
   bool asks = dilation != dilation_centre || asks_neighbours;
   if (asks && (has_history || writes != 0 || tests_tags())) speakers_by_rank(first, speakers);
   else
@@ -166,6 +232,18 @@ void rectify_all(Strip s, vec3 found[R], out vec3 bounded[R]) {
   }
 }
 
+/// Where no cause is known. A loop, which lanes that all know leave out as a whole; a branch would be taken by all of them.
+void rectify_unknown(ivec2 first, Strip s, bool gathered, Speaker speakers[R], vec3 found[R], inout vec3 bounded[R]) {
+  bool any_unknown = false;
+  for (int i = 0; i < R; ++i) any_unknown = any_unknown || is_unknown(speakers[i]);
+  for (uint round = any_unknown ? 0 : 1; round < 1; ++round) {
+    if (!gathered) s = gather(first);
+    rectify_all(s, found, bounded);
+  }
+  for (int i = 0; i < R; ++i)
+    if (!is_unknown(speakers[i])) bounded[i] = found[i];
+}
+
 const int WINDOW_WIDTH = 5, WINDOW_HEIGHT = R + 4;
 
 /// The four weights at one of two places of five.
@@ -179,7 +257,7 @@ float[5] placed(vec4 weights, bool later) {
 struct Window {
   ivec2 corner;
   vec3 texels[WINDOW_WIDTH * WINDOW_HEIGHT];
-  float tags[WINDOW_WIDTH * WINDOW_HEIGHT];
+  float alphas[WINDOW_WIDTH * WINDOW_HEIGHT];
 };
 
 Window load_window(ivec2 corner) {
@@ -189,17 +267,17 @@ Window load_window(ivec2 corner) {
     for (int x = 0; x < WINDOW_WIDTH; ++x) {
       vec4 texel = history_texel(corner + ivec2(x, y));
       w.texels[WINDOW_WIDTH * y + x] = texel.rgb;
-      if (tests_tags()) w.tags[WINDOW_WIDTH * y + x] = texel.a;
+      if (reads_alpha()) w.alphas[WINDOW_WIDTH * y + x] = texel.a;
     }
   return w;
 }
 
-/// As read_tags.
-vec4 tags_in(Window w, int i, bvec2 later) {
+/// As read_alphas.
+vec4 alphas_in(Window w, int i, bvec2 later) {
   int at = WINDOW_WIDTH * (i + 1) + 1, below = at + WINDOW_WIDTH, last = below + WINDOW_WIDTH;
-  vec3 first_row = vec3(w.tags[at], w.tags[at + 1], w.tags[at + 2]),
-       second_row = vec3(w.tags[below], w.tags[below + 1], w.tags[below + 2]),
-       third_row = vec3(w.tags[last], w.tags[last + 1], w.tags[last + 2]);
+  vec3 first_row = vec3(w.alphas[at], w.alphas[at + 1], w.alphas[at + 2]),
+       second_row = vec3(w.alphas[below], w.alphas[below + 1], w.alphas[below + 2]),
+       third_row = vec3(w.alphas[last], w.alphas[last + 1], w.alphas[last + 2]);
   vec3 top = later.y ? second_row : first_row, bottom = later.y ? third_row : second_row;
   return later.x ? vec4(top.yz, bottom.yz) : vec4(top.xy, bottom.xy);
 }
@@ -215,6 +293,44 @@ vec3 catmull_rom_in(Window w, int i, vec2 at) {
     sum += down[y] * row;
   }
   return sum;
+}
+
+/// Without the corners: the middle two columns whole, of the outer two only the middle two rows.
+vec3 catmull_rom_cross_in(Window w, int i, vec2 at) {
+  vec2 f = fract(at - 0.5);
+  bvec2 later = greaterThan(catmull_rom_corner(at) - ivec2(0, i), w.corner);
+  vec4 across = catmull_rom_weights(f.x), down = catmull_rom_weights(f.y);
+  float inner[5] = placed(vec4(0, across.yz, 0), later.x), outer[5] = placed(vec4(across.x, 0, 0, across.w), later.x),
+        all_down[5] = placed(down, later.y), inner_down[5] = placed(vec4(0, down.yz, 0), later.y);
+  vec3 sum = vec3(0);
+  for (int y = 0; y < 5; ++y) {
+    int row = WINDOW_WIDTH * (i + y);
+    sum += all_down[y] * (inner[1] * w.texels[row + 1] + inner[2] * w.texels[row + 2] + inner[3] * w.texels[row + 3]);
+    if (y > 0 && y < 4)
+      sum += inner_down[y] * (outer[0] * w.texels[row] + outer[1] * w.texels[row + 1] + outer[3] * w.texels[row + 3] +
+                              outer[4] * w.texels[row + 4]);
+  }
+  return sum / cross_share(across, down);
+}
+
+/// The bounds of the four texels around `at`.
+void bounds_in(Window w, int i, vec2 at, out vec3 low, out vec3 high) {
+  bvec2 later = greaterThan(catmull_rom_corner(at) - ivec2(0, i), w.corner);
+  vec3 lows[3], highs[3];
+  for (int y = 0; y < 3; ++y) {
+    int row = WINDOW_WIDTH * (i + y + 1) + 1;
+    vec3 a = w.texels[row], b = w.texels[row + 1], c = w.texels[row + 2];
+    vec3 other = later.x ? c : a;
+    lows[y] = min(b, other), highs[y] = max(b, other);
+  }
+  low = min(lows[1], later.y ? lows[2] : lows[0]), high = max(highs[1], later.y ? highs[2] : highs[0]);
+}
+
+Filtered filtered_in(Window w, int i, vec2 at) {
+  Filtered r;
+  r.colour = history_filter == history_catmull_rom_12 ? catmull_rom_cross_in(w, i, at) : catmull_rom_in(w, i, at);
+  if (ringing == ringing_clamped) bounds_in(w, i, at, r.low, r.high);
+  return r;
 }
 
 /// Pixels above one another mostly come from pixels above one another, give or take one: then 5 x (R + 4) loads do the
@@ -234,8 +350,8 @@ void read_shared_histories(inout Reprojected r[R]) {
     for (int i = 0; i < R; ++i) {
       ivec2 off = corners[i] - w.corner;
       if (!done[i] && all(greaterThanEqual(off, ivec2(0))) && all(lessThanEqual(off, ivec2(1)))) {
-        take_history(r[i], catmull_rom_in(w, i, r[i].at));
-        if (tests_tags()) r[i].tags = tags_in(w, i, greaterThan(off, ivec2(0)));
+        take_history(r[i], bounded(filtered_in(w, i, r[i].at)));
+        if (reads_alpha()) r[i].alphas = alphas_in(w, i, greaterThan(off, ivec2(0)));
         done[i] = true;
       }
       all_done = all_done && done[i];
@@ -245,12 +361,13 @@ void read_shared_histories(inout Reprojected r[R]) {
 }
 
 void read_histories(inout Reprojected r[R]) {
-  bool sixteen = history_filter == history_catmull_rom || history_filter == history_catmull_rom_16;
-  if (sixteen && ringing == ringing_kept) read_shared_histories(r);
+  bool by_loads = history_filter == history_catmull_rom || history_filter == history_catmull_rom_16 ||
+                  history_filter == history_catmull_rom_12;
+  if (by_loads) read_shared_histories(r);
   else
     for (int i = 0; i < R; ++i) {
       take_history(r[i], read_history(r[i].at));
-      if (tests_tags()) r[i].tags = read_tags(r[i].at);
+      if (reads_alpha()) r[i].alphas = read_alphas(r[i].at);
     }
 }
 
@@ -264,26 +381,38 @@ void main() {
   if (has_history) {  // before the neighbourhood is read, so that not both of them have to be kept
     for (int i = 0; i < R; ++i) r[i] = reproject(first + ivec2(0, i), speakers[i].at);
     read_histories(r);
-    for (int i = 0; i < R; ++i) found[i] = clipped[i] = to_working(r[i].found);
+    for (int i = 0; i < R; ++i) {
+      if (keyed()) take_kept(r[i]);
+      if (rejects(reject_visibility)) follow_light(r[i], speakers[i].around);
+      found[i] = clipped[i] = to_working(r[i].found);
+    }
   }
   Strip s;
-  if (has_history && (needs_volume() || needs_blurred())) s = gather(first);
+  bool bounds = has_history && needs_volume(), gathers = has_history && (needs_blurred() || centres_input());
+  if (gathers || (bounds && !rectifies_unknown_only())) s = gather(first);
   else
     for (int i = 0; i < R; ++i) s.centres[i + 1] = colour_at(inside(first + ivec2(0, i)));
-  if (has_history && needs_volume()) rectify_all(s, found, clipped);
+  if (bounds && rectifies_unknown_only()) rectify_unknown(first, s, gathers, speakers, found, clipped);
+  else if (bounds) rectify_all(s, found, clipped);
   for (int i = 0; i < R; ++i) {
     ivec2 pixel = first + ivec2(0, i);
     if (pixel.y > last.y) return;
     vec3 centre = s.centres[i + 1];
-    Resolve result = without_history(centre);
+    Resolve result = without_history(centre, speakers[i]);
     if (has_history) {
       vec3 blurred = needs_blurred()
                          ? (s.blurred_rows[i] + 2 * s.blurred_rows[i + 1] + s.blurred_rows[i + 2]) / 16
                          : centre;
+      vec3 input_colour = centre;
+      if (centres_input()) {
+        vec3 down = centred_weights(frame.jitter_px.y);
+        vec3 centred = down.x * s.centred_rows[i] + down.y * s.centred_rows[i + 1] + down.z * s.centred_rows[i + 2];
+        input_colour = mix(centre, centred, fast_share(r[i]));
+      }
       float moved = needs_volume() && (blend == blend_attenuated || writes_to(TAA_WRITES_WHY | TAA_WRITES_PROBE))
                         ? moved_by(found[i], clipped[i])
                         : 0;
-      result = resolve(r[i], rejection(r[i], speakers[i]), centre, blurred, clipped[i], moved);
+      result = resolve(r[i], speakers[i], rejection(r[i], speakers[i]), input_colour, blurred, clipped[i], moved);
     }
     write_pixel(pixel, speakers[i], centre, result);
   }

@@ -5,6 +5,7 @@
 
 #include "frame.glsl"
 #include "shared/taa.h"
+#include "taa_key.glsl"
 
 layout(constant_id = TAA_DILATION_ID) const uint dilation = 0;
 layout(constant_id = TAA_HISTORY_ID) const uint history_filter = 0;
@@ -23,9 +24,17 @@ layout(constant_id = TAA_STORE_ID) const uint store = 0;
 layout(constant_id = TAA_HAS_MOTION_ID) const bool has_motion = false;
 layout(constant_id = TAA_HAS_SURFACES_ID) const bool has_surfaces = false;
 layout(constant_id = TAA_ASKS_NEIGHBOURS_ID) const bool asks_neighbours = false;
+layout(constant_id = TAA_WHERE_ID) const uint where = 0;
+layout(constant_id = TAA_FILL_ID) const uint fill = 0;
+layout(constant_id = TAA_INPUT_ID) const uint input_frame = 0;
 
 bool rejects(uint test) { return (reject & test) != 0; }
 bool writes_to(uint what) { return (writes & what) != 0; }
+bool rectifies_unknown_only() { return where == where_unknown && rectify != rectify_none; }
+/// Whether a pixel's key is asked: what rejects, weighs or bounds by known causes.
+bool keyed() {
+  return rejects(reject_moved_object | reject_visibility) || blend == blend_speed || rectifies_unknown_only();
+}
 
 #ifdef TAA_FAST
 #define TAA_MAP(format, Image, name, place) layout(set = 0, binding = place, format) uniform readonly Image name
@@ -40,6 +49,7 @@ TAA_MAP(rg32f, image2D, previous_motion_map, TAA_PREVIOUS_MOTION);
 TAA_MAP(r32f, image2D, previous_depth_map, TAA_PREVIOUS_DEPTH);
 TAA_MAP(r32f, image2D, expected_depth_map, TAA_EXPECTED_DEPTH);
 TAA_MAP(r32ui, uimage2D, previous_object_map, TAA_PREVIOUS_OBJECT);
+TAA_MAP(r32ui, uimage2D, key_map, TAA_KEY);
 #else
 #define TAA_MAP(Texture, name, place) layout(set = 0, binding = place) uniform Texture name
 #define fetch(map, pixel) texelFetch(map, pixel, 0)
@@ -54,6 +64,7 @@ TAA_MAP(texture2D, previous_motion_map, TAA_PREVIOUS_MOTION);
 TAA_MAP(texture2D, previous_depth_map, TAA_PREVIOUS_DEPTH);
 TAA_MAP(texture2D, expected_depth_map, TAA_EXPECTED_DEPTH);
 TAA_MAP(utexture2D, previous_object_map, TAA_PREVIOUS_OBJECT);
+TAA_MAP(utexture2D, key_map, TAA_KEY);
 #endif
 // no device has to store to its format
 layout(set = 0, binding = TAA_OBJECT) uniform utexture2D object_map;
@@ -65,7 +76,7 @@ layout(set = 0, binding = TAA_COUNT_OUT, r32f) uniform writeonly image2D count_o
 layout(set = 0, binding = TAA_MOTION_OUT, rg32f) uniform writeonly image2D motion_out;
 layout(set = 0, binding = TAA_DEPTH_OUT, r32f) uniform writeonly image2D depth_out;
 layout(set = 0, binding = TAA_OBJECT_OUT, r32ui) uniform writeonly uimage2D object_out;
-layout(set = 0, binding = TAA_WHY_OUT, rgba8) uniform writeonly image2D why_out;
+layout(set = 0, binding = TAA_WHY_OUT, rgba32f) uniform writeonly image2D why_out;
 layout(set = 0, binding = TAA_HISTORY_OUT, rgba16f) uniform writeonly image2D history_out;
 layout(set = 0, binding = TAA_PROBE_OUT, rgba32f) uniform writeonly image2D probe_out;
 layout(push_constant, scalar) uniform Push { TaaPush push; };
@@ -93,6 +104,7 @@ float rank_at(ivec2 pixel) {
   return isnan(length_squared) ? -1 : length_squared;
 }
 float rank_of(float loaded) { return dilation == dilation_longest ? loaded : comparable_depth(loaded); }
-uint object_at(ivec2 pixel) { return has_surfaces ? texelFetch(object_map, pixel, 0).r : 0; }
+uint object_at(ivec2 pixel) { return has_surfaces ? texelFetch(object_map, pixel, 0).r & OBJECT_NODE : 0; }
+uint key_at(ivec2 pixel) { return fetch(key_map, pixel).r; }
 
 #endif

@@ -14,17 +14,20 @@ struct Neighbourhood {
   vec3 colours[9];
   vec3 centre;   // linear
   vec3 blurred;  // linear: 1 2 1, 2 4 2, 1 2 1
+  vec3 centred;  // linear, where it is asked for
 };
 
 Neighbourhood gather(ivec2 pixel) {
   Neighbourhood n;
-  n.blurred = vec3(0);
+  n.blurred = n.centred = vec3(0);
+  vec3 across = centred_weights(frame.jitter_px.x), down = centred_weights(frame.jitter_px.y);
   for (int y = -1; y <= 1; ++y)
     for (int x = -1; x <= 1; ++x) {
       vec3 colour = colour_at(inside(pixel + ivec2(x, y)));
       if (x == 0 && y == 0) n.centre = colour;
       n.colours[3 * y + x + 4] = to_working(colour);
       n.blurred += colour * float((2 - abs(x)) * (2 - abs(y))) / 16;
+      if (centres_input()) n.centred += colour * across[x + 1] * down[y + 1];
     }
   return n;
 }
@@ -45,9 +48,43 @@ ivec2 place_of_speaker(ivec2 pixel) {
   return edge ? best : pixel;
 }
 
+/// The closest by its key, or the pixel itself.
+ivec2 place_by_key(ivec2 pixel) {
+  ivec2 best = pixel;
+  uint own = key_at(pixel), most = own;
+  for (int y = -1; y <= 1; ++y)
+    for (int x = -1; x <= 1; ++x) {
+      ivec2 at = inside(pixel + ivec2(x, y));
+      uint key = key_at(at);
+      if (rank_of_key(key) > rank_of_key(most)) best = at, most = key;
+    }
+  bool edge = dilation == dilation_closest_depth ||
+              (dilation == dilation_depth_edges && is_edge(own, most));
+  return edge ? best : pixel;
+}
+
+Around around_of(ivec2 pixel) {
+  Around around = Around(key_at(pixel), false, false, 0);
+  uint ids = 0, sum = 0;
+  float own = depth_of_key(around.own);
+  for (int y = -1; y <= 1; ++y)
+    for (int x = -1; x <= 1; ++x) {
+      uint key = key_at(inside(pixel + ivec2(x, y)));
+      float depth = depth_of_key(key);
+      around.mixed = around.mixed || depth > 1.25 * own || depth < 0.8 * own;
+      ids |= id_bit_of_key(key), sum += light_step_of(key);
+    }
+  around.mixed = around.mixed || several(ids);
+  around.moving = (ids & push.moved_ids) != 0;
+  around.mean = mean_lightness(sum);
+  return around;
+}
+
 Speaker speaker_of(ivec2 pixel) {
-  ivec2 at = place_of_speaker(pixel);
-  return Speaker(at, asks_for_depth() ? depth_at(at) : 0, reads_tags ? fetch(tag_map, at).r : 0);
+  ivec2 at = keyed() && dilation != dilation_longest ? place_by_key(pixel) : place_of_speaker(pixel);
+  Speaker speaker = Speaker(at, asks_for_depth() ? depth_at(at) : 0, reads_tags ? fetch(tag_map, at).r : 0, 0, nothing_around);
+  if (keyed()) speaker.key = key_at(at), speaker.around = around_of(pixel);
+  return speaker;
 }
 
 void box_of(vec3 colours[9], out vec3 low, out vec3 high) {
@@ -109,17 +146,21 @@ void main() {
   Speaker speaker = speaker_of(pixel);
   if (!has_history) {
     vec3 centre = colour_at(pixel);
-    write_pixel(pixel, speaker, centre, without_history(centre));
+    write_pixel(pixel, speaker, centre, without_history(centre, speaker));
     return;
   }
   Neighbourhood n;
-  if (needs_volume() || needs_blurred()) n = gather(pixel);
+  if (needs_volume() || needs_blurred() || centres_input()) n = gather(pixel);
   else n.centre = n.blurred = colour_at(pixel);
   Reprojected r = reproject(pixel, speaker.at);
   take_history(r, read_history(r.at));
-  r.tags = read_tags(r.at);
-  vec3 found = to_working(r.found), bounded = needs_volume() ? rectified(found, n.colours) : found;
+  r.alphas = read_alphas(r.at);
+  if (keyed()) take_kept(r);
+  if (rejects(reject_visibility)) follow_light(r, speaker.around);
+  vec3 found = to_working(r.found), bounded = found;
+  if (needs_volume() && (where == where_everywhere || is_unknown(speaker))) bounded = rectified(found, n.colours);
   float moved = needs_volume() ? moved_by(found, bounded) : 0;
-  Resolve result = resolve(r, rejection(r, speaker), n.centre, n.blurred, bounded, moved);
+  vec3 centre = centres_input() ? mix(n.centre, n.centred, fast_share(r)) : n.centre;
+  Resolve result = resolve(r, speaker, rejection(r, speaker), centre, n.blurred, bounded, moved);
   write_pixel(pixel, speaker, n.centre, result);
 }

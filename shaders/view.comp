@@ -51,7 +51,8 @@ bool on_arrow(vec2 pixel) {
 
 vec3 shown(vec3 colour) { return display_from_linear(colour * frame.exposure); }
 vec4 why_at(ivec2 pixel) { return texelFetch(why_map, min(pixel, textureSize(why_map, 0) - 1), 0); }
-uint causes_at(ivec2 pixel) { return uint(why_at(pixel).b * 255 + 0.5); }
+uint causes_at(ivec2 pixel) { return uint(why_at(pixel).b) & ((1u << TAA_CLASS_SHIFT) - 1); }
+uint class_at(ivec2 pixel) { return uint(why_at(pixel).b) >> TAA_CLASS_SHIFT; }
 vec3 marked(vec3 picture, bool is) { return is ? mix(picture, red, 0.75) : picture; }
 
 /// A colour a cause; the last of several.
@@ -98,7 +99,7 @@ vec3 draw(ivec2 pixel) {
   case view_weight: return vec3(resolved ? why_at(pixel).r : 1);
   case view_history:
     return resolved ? shown(texelFetch(history_map, min(pixel, textureSize(history_map, 0) - 1), 0).rgb) : vec3(0);
-  case view_age: return resolved ? vec3(log2(1 + why_at(pixel).a * 255) / 6) : vec3(0);
+  case view_age: return resolved ? vec3(log2(1 + why_at(pixel).a) / 6) : vec3(0);
   case view_volume: return vec3(pow(box_volume(pixel), 1.0 / 3));
   case view_rejected: return mix(picture, cause_colour(causes_at(pixel)), causes_at(pixel) != 0 ? 0.75 : 0);
   case view_rectified: return marked(picture, why_at(pixel).g > 0.1);

@@ -84,8 +84,11 @@ std::string space_of(const TaaPolicy& policy) {
 }
 
 void draw_colours(const ProbedPixel& pixel, const Rectification& r) {
-  const TaaPolicy& policy = pixel.mode.taa.policy;
+  const TaaPolicy policy = pixel.taa().policy;
   colour_row("new frame", glm::dvec3(pixel.colours[4]), pixel.exposure, "As it was drawn, linear.");
+  if (pixel.mixed_in != pixel.colours[4])
+    colour_row("filtered", glm::dvec3(pixel.mixed_in), pixel.exposure,
+               "The same about the pixel's middle: what is mixed in.");
   if (pixel.history) {
     colour_row("history", glm::dvec3(pixel.history->found), pixel.exposure,
                "As it was read, before anything bounds it; the ring in the planes.", history_ink);
@@ -156,7 +159,7 @@ void draw_pixel(const std::optional<ProbedPixel>& pixel) {
     return ImGui::TextWrapped("Click into the picture: why a pixel there keeps its history, or loses it.");
   Neighbourhood linear;
   std::ranges::copy(pixel->colours, linear.begin());
-  const Rectification r = rectification_of(pixel->mode.taa, linear,
+  const Rectification r = rectification_of(pixel->taa(), linear,
                                            glm::dvec3(pixel->history ? pixel->history->found : glm::vec3(0)));
   ImGui::Text("%s at %u, %u", pixel->mode.name.c_str(), pixel->input.x, pixel->input.y);
   if (ImGui::BeginTable("pixel", 2, ImGuiTableFlags_SizingFixedFit)) {

@@ -70,7 +70,7 @@ void record_draws(PassCommands& commands, const FrameContext& in, std::span<cons
     const DrawPush push{.eye_from_object = in.eye_from_object[draw->object],
                         .material = in.scene.materials[draw->material],
                         .material_index = draw->material,
-                        .object_id = uint32_t(in.scene.object_nodes[draw->object] + 1)};
+                        .object_word = in.scene.object_words[draw->object]};
     commands.push(std::as_bytes(std::span(&push, 1)));
     commands.draw_indexed(draw->index_count, draw->first_index, draw->first_vertex, draw->object);
     before = draw;

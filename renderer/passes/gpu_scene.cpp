@@ -1,9 +1,11 @@
 #include "renderer/passes/gpu_scene.h"
 
 #include <algorithm>
+#include <map>
 #include <tuple>
 
 #include "renderer/scene/bounds.h"
+#include "shaders/shared/taa_key.h"
 
 namespace unghost {
 namespace {
@@ -62,6 +64,37 @@ std::vector<TexturePlaces> places_of_textures(const Scene& scene) {
   return all;
 }
 
+/// By node, the one that it moves with: itself or its nearest ancestor that a rig or an animation moves; -1:
+/// it rests.
+std::vector<int> movers_of(const Scene& scene) {
+  std::vector<int> movers(scene.nodes.size(), -1);
+  std::vector<bool> moves(scene.nodes.size());
+  for (const Animation& animation : scene.animations)
+    for (const AnimationTrack& track : animation.tracks) moves[size_t(track.node)] = true;
+  if (scene.vehicle >= 0) moves[size_t(scene.vehicle)] = true;
+  for (size_t n = 0; n < scene.nodes.size(); ++n) {
+    const Node& node = scene.nodes[n];
+    movers[n] = moves[n] || node.wheel ? int(n) : node.parent < 0 ? -1 : movers[size_t(node.parent)];
+  }
+  return movers;
+}
+
+/// Ids in turn: bodies that move have theirs, and so has each object that rests.
+std::vector<uint32_t> words_of(const Scene& scene, const std::vector<int>& object_nodes) {
+  const std::vector<int> movers = movers_of(scene);
+  std::map<int, uint32_t> bodies;
+  uint32_t resting = 0;
+  std::vector<uint32_t> words;
+  for (const int node : object_nodes) {
+    const int mover = movers[size_t(node)];
+    const uint32_t id = mover >= 0
+                            ? 1 + bodies.emplace(mover, uint32_t(bodies.size())).first->second % MOVING_IDS
+                            : 1 + MOVING_IDS + resting++ % (OBJECT_IDS - MOVING_IDS);
+    words.push_back(uint32_t(node + 1) | id << OBJECT_ID_SHIFT);
+  }
+  return words;
+}
+
 } // namespace
 
 GpuScene::GpuScene(Device& device, const Scene& scene)
@@ -94,6 +127,7 @@ GpuScene::GpuScene(Device& device, const Scene& scene)
     }
     object_nodes.push_back(int(n));
   }
+  object_words = words_of(scene, object_nodes);
   vehicle = vehicle_bounds(scene);
   std::ranges::stable_sort(draws, {},
                            [](const Draw& draw) { return std::tuple(draw.features, draw.material); });

@@ -33,6 +33,8 @@ struct GpuScene {
   std::vector<Draw> draws;
   /// The node of each object; as long as the objects of a frame.
   std::vector<int> object_nodes;
+  /// What the G-buffer writes of each (shaders/shared/taa_key.h), but for what changes from frame to frame.
+  std::vector<uint32_t> object_words;
   SceneTraits traits;
   bool software = false; // the device: some ways to the same result suit one better
   Bounds vehicle;        // in its own frame; empty where the scene has none

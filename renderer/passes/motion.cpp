@@ -1,14 +1,17 @@
+#include <algorithm>
+
 #include "renderer/passes/passes.h"
 #include "shaders/shared/bindings.h"
 
 namespace unghost {
 
-Motion resolve_motion(FrameGraph& graph, const FrameContext& in, const GBuffer& gbuffer) {
+Motion resolve_motion(FrameGraph& graph, const FrameContext& in, const GBuffer& gbuffer, const Lit& lit) {
   const auto image = [&](const char* name, VkFormat format) {
     return graph.image({.name = name, .format = format, .extent = in.size});
   };
   Motion motion{.motion_px = image("motion", VK_FORMAT_R32G32_SFLOAT),
                 .previous_depth = image("previous depth", VK_FORMAT_R32_SFLOAT),
+                .key = image("keys", VK_FORMAT_R32_UINT),
                 .depth = image("depth copy", VK_FORMAT_R32_SFLOAT)};
   motion.moves =
       graph.needed(in.camera_moved || in.in_view.anything_moved,
@@ -16,19 +19,32 @@ Motion resolve_motion(FrameGraph& graph, const FrameContext& in, const GBuffer& 
   const auto read_if = [&](bool is, uint32_t slot, ImageRef read) {
     return sampled(slot, is ? read : graph.neutral(VK_FORMAT_R32G32B32A32_SFLOAT));
   };
-  graph.compute({.name = "motion",
-                 .shader = "motion.comp",
-                 .constants = {uint32_t(gbuffer.moves), motion.previous_depth, motion.depth,
-                               uint32_t(gbuffer.surfaces), uint32_t(gbuffer.tagged)},
-                 .bindings = {uniform(FRAME_BINDING, in.constants),
-                              read_if(gbuffer.surfaces, MOTION_DEPTH, gbuffer.depth),
-                              read_if(gbuffer.moves, MOTION_OF_OBJECTS, gbuffer.object_motion),
-                              gbuffer.tagged ? sampled_stencil(MOTION_TAG, gbuffer.depth)
-                                             : sampled(MOTION_TAG, graph.neutral(VK_FORMAT_R8_UINT)),
-                              storage_write(MOTION_OUT, motion.motion_px),
-                              storage_write(MOTION_PREVIOUS_DEPTH_OUT, motion.previous_depth),
-                              storage_write(MOTION_DEPTH_OUT, motion.depth)},
-                 .cover = in.size});
+  const bool asked =
+      std::ranges::any_of(in.modes, [](const ModeRun& run) { return run.taa.policy.needs_key(); });
+  const bool keyed = graph.needed(asked, {"keys", "no mode asks for known causes"}, {motion.key});
+  const bool light = keyed && gbuffer.lit;
+  const ImageRef no_integers = graph.neutral(VK_FORMAT_R8_UINT);
+  graph.compute(
+      {.name = "motion",
+       .shader = "motion.comp",
+       .constants = {uint32_t(gbuffer.moves),
+                     motion.previous_depth,
+                     motion.depth,
+                     uint32_t(gbuffer.surfaces),
+                     uint32_t(gbuffer.tagged),
+                     {0, {{motion.key, uint32_t(keyed)}}},
+                     uint32_t(light)},
+       .bindings = {uniform(FRAME_BINDING, in.constants),
+                    read_if(gbuffer.surfaces, MOTION_DEPTH, gbuffer.depth),
+                    read_if(gbuffer.moves, MOTION_OF_OBJECTS, gbuffer.object_motion),
+                    gbuffer.tagged ? sampled_stencil(MOTION_TAG, gbuffer.depth)
+                                   : sampled(MOTION_TAG, no_integers),
+                    sampled(MOTION_OBJECT, keyed && gbuffer.surfaces ? gbuffer.object : no_integers),
+                    sampled(MOTION_IRRADIANCE, light ? lit.irradiance : no_integers),
+                    storage_write(MOTION_KEY_OUT, motion.key), storage_write(MOTION_OUT, motion.motion_px),
+                    storage_write(MOTION_PREVIOUS_DEPTH_OUT, motion.previous_depth),
+                    storage_write(MOTION_DEPTH_OUT, motion.depth)},
+       .cover = in.size});
   return motion;
 }
 

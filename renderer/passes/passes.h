@@ -43,6 +43,7 @@ struct FrameContext {
   std::vector<uint8_t> mirrored;    // by object: whether its triangles are turned inside out
   InView in_view;
   bool camera_moved = false;
+  uint32_t moved_ids = 0;              // bit i: something of that id (shaders/shared/taa_key.h) moves, or did
   bool sun_shines = false;             // or somebody looks at its shadows
   uint32_t more_features = 0;          // beside each draw's own: bits of frame.h
   uint32_t shadow_texels = 0;          // along a side of the map
@@ -64,25 +65,27 @@ struct GBuffer {
   ImageRef emissive;      // B10G11R11, linear
   ImageRef depth;         // D32 S8: reversed depth; the tag
   ImageRef object_motion; // RGBA32F: motion in pixels, last frame's depth, 1 where given
-  ImageRef object;        // R32UI: node index + 1
+  ImageRef object;        // R32UI: an OBJECT_ word of shaders/shared/taa_key.h
 };
 
 struct Motion {
   bool moves = false;      // some pixel
   ImageRef motion_px;      // RG32F
   ImageRef previous_depth; // R32F, metres
+  ImageRef key;            // R32UI: shaders/shared/taa_key.h
   ImageRef depth; // R32F, to be loaded without a sampler: the G-buffer's depth, its last 8 bits the tag
 };
 
 struct Lit {
   ImageRef colour;     // RGBA16F, linear
   ImageRef visibility; // R8: how much of the sun is seen
+  ImageRef irradiance; // R8UI: light that arrives, demodulated: light_word in shaders/shared/taa_key.h
 };
 
 struct Resolved {
-  ImageRef colour;  // RGBA16F, linear
-  ImageRef why;     // RGBA8: weight of the current frame, how far rectified, causes of rejection (TAA_REJECT
-                    // bits), age
+  ImageRef colour; // RGBA16F, linear
+  ImageRef why;    // RGBA32F: weight of the current frame, how far rectified, causes of rejection (TAA_REJECT
+                   // bits) and class, age
   ImageRef history; // RGBA16F, linear: what was mixed with the current frame
   ImageRef probe;   // RGBA32F: the TAA_PROBE_ texels; none where no pixel of this mode is probed
 };
@@ -96,7 +99,7 @@ struct TaaInputs {
 /// None where no sun is seen.
 ImageRef draw_shadow_map(FrameGraph& graph, const FrameContext& in);
 GBuffer draw_gbuffer(FrameGraph& graph, const FrameContext& in);
-Motion resolve_motion(FrameGraph& graph, const FrameContext& in, const GBuffer& gbuffer);
+Motion resolve_motion(FrameGraph& graph, const FrameContext& in, const GBuffer& gbuffer, const Lit& lit);
 Lit light(FrameGraph& graph, const FrameContext& in, const GBuffer& gbuffer, ImageRef shadow_map);
 /// The history is the run's own: it belongs to `place` in the list of modes.
 Resolved resolve_taa(FrameGraph& graph, const FrameContext& in, const TaaInputs& inputs, size_t place);

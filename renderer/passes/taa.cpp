@@ -6,7 +6,8 @@ namespace {
 
 constexpr VkFormat colour_format = VK_FORMAT_R16G16B16A16_SFLOAT, motion_format = VK_FORMAT_R32G32_SFLOAT,
                    depth_format = VK_FORMAT_R32_SFLOAT, probe_format = VK_FORMAT_R32G32B32A32_SFLOAT,
-                   object_format = VK_FORMAT_R32_UINT, count_format = VK_FORMAT_R32_SFLOAT;
+                   object_format = VK_FORMAT_R32_UINT, key_format = VK_FORMAT_R32_UINT,
+                   count_format = VK_FORMAT_R32_SFLOAT;
 
 constexpr const char* no_history = "this mode keeps none";
 
@@ -32,7 +33,7 @@ Kept kept_by(FrameGraph& graph, const FrameContext& in, size_t place) {
     return history;
   };
   kept.colour = keep(policy.needs_history(), {"history", no_history}, colour_format, 0);
-  const bool counts = policy.blend == Blend::counting || in.view == View::age;
+  const bool counts = policy.blend == Blend::counting || (in.view == View::age && !policy.needs_key());
   kept.count =
       keep(counts, {"history of counts", "this mode counts no frames"}, count_format, TAA_WRITES_COUNT);
   kept.valid = policy.needs_history() && kept.colour.valid; // a count that begins late begins at 1
@@ -47,6 +48,7 @@ Kept kept_by(FrameGraph& graph, const FrameContext& in, size_t place) {
 
 /// A sixteen-load Catmull-Rom is what a software device does faster, nine taps what others do.
 HistoryFilter filter_for(const FrameContext& in, HistoryFilter asked) {
+  if (asked == HistoryFilter::catmull_rom_12) return in.scene.software ? asked : HistoryFilter::catmull_rom_5;
   if (asked != HistoryFilter::catmull_rom) return asked;
   return in.scene.software ? HistoryFilter::catmull_rom_16 : HistoryFilter::catmull_rom_9;
 }
@@ -71,6 +73,13 @@ TaaPush push_of(const FrameContext& in, const TaaSettings& taa) {
           .motion_length_px = taa.motion_length_px,
           .speed_px = taa.speed_px,
           .depth_share = taa.depth_share,
+          .fast_alpha = taa.fast_alpha,
+          .fast_px = taa.fast_px,
+          .centred_px = taa.centred_px,
+          .zoom_weight = taa.zoom_weight,
+          .mixed_alpha = taa.mixed_alpha,
+          .cubic = taa.cubic,
+          .moved_ids = in.moved_ids,
           .frame = uint32_t(in.index),
           .dilates = taa.policy.dilation != Dilation::centre,
           .probe_px = in.probe ? glm::ivec2(in.probe->x, in.probe->y) : glm::ivec2(-1)};
@@ -90,15 +99,16 @@ struct Reading {
   bool by_taps = false;   // of the history, through a sampler
 
   bool reads_anything() const { return kept.valid || kept.writes != 0; }
+  bool key() const { return policy.needs_key(); } // what it keeps begins with the first frame
   bool objects() const {
     const bool compares = policy.needs_previous_objects() || (kept.writes & TAA_WRITES_OBJECT) != 0 ||
-                          (neighbours && policy.dilation == Dilation::depth_edges);
+                          (neighbours && !key() && policy.dilation == Dilation::depth_edges);
     return surfaces && reads_anything() && compares;
   }
   bool depth() const {
     const bool compares = policy.rejects(Reject::near_moving | Reject::depth) ||
                           (kept.writes & TAA_WRITES_DEPTH) != 0 ||
-                          (neighbours && policy.dilation != Dilation::longest);
+                          (neighbours && !key() && policy.dilation != Dilation::longest);
     return surfaces && ((reads_anything() && compares) || tags);
   }
 
@@ -148,6 +158,7 @@ std::vector<Binding> reads_of_frame(const Reading& r, const TaaInputs& inputs) {
                  : sampled(TAA_DEPTH, r.depth() ? inputs.gbuffer.depth : r.no_floats()),
           r.tags && !r.fast ? sampled_stencil(TAA_TAG, inputs.gbuffer.depth)
                             : sampled(TAA_TAG, r.no_integers()),
+          r.read_if(r.key(), TAA_KEY, inputs.motion.key, key_format),
           sampled(TAA_OBJECT, r.objects() ? inputs.gbuffer.object : r.no_integers()),
           r.read_if(r.kept.valid && r.policy.needs_previous_depth(), TAA_EXPECTED_DEPTH,
                     inputs.motion.previous_depth, depth_format)};
@@ -208,7 +219,10 @@ std::vector<Constant> constants_of(const FrameContext& in, const TaaSettings& ta
           uint32_t(taa.store),
           uint32_t(r.motion),
           uint32_t(r.surfaces),
-          uint32_t(r.neighbours && policy.dilation == Dilation::centre)};
+          uint32_t(r.neighbours && policy.dilation == Dilation::centre),
+          uint32_t(policy.where),
+          uint32_t(policy.fill),
+          uint32_t(policy.input)};
 }
 
 } // namespace
@@ -225,7 +239,7 @@ Resolved resolve_taa(FrameGraph& graph, const FrameContext& in, const TaaInputs&
   const bool probed = keeps_history && in.probe && in.probe->mode == place;
   const Resolved resolved{
       .colour = taa.policy.keeps == Keeps::result ? kept.colour.next : image("resolved", colour_format),
-      .why = image("reasons of the resolve", VK_FORMAT_R8G8B8A8_UNORM),
+      .why = image("reasons of the resolve", VK_FORMAT_R32G32B32A32_SFLOAT),
       .history = image("history as it was used", colour_format),
       .probe = probed ? graph.image({"probe", probe_format, {TAA_PROBE_TEXELS, 1}}) : ImageRef{}};
   const Reading reading = reading_of(graph, in, inputs, taa, kept);

@@ -40,7 +40,13 @@ struct FrameConstants {
   float mip_bias;
   mat4x3 underside_from_eye;    // the vehicle's underside: a rectangle about the origin in the plane y = 0, y upwards
   vec2 underside_half;          // metres along its x and z; 0 where there is no vehicle
+  uint light_changes;           // LIGHT_CHANGES_ bits
+  vec2 shadows_move_from, shadows_move_to;  // of the shadow map, 0 to 1: where what moves, or did, throws its shadow
 };
+
+/// What may change light from the last frame to this one, beside shadows of what moves.
+SHARED_CONSTANT LIGHT_CHANGES_ALL = 1;        // the sun, the sky or a lamp
+SHARED_CONSTANT LIGHT_CHANGES_UNDERSIDE = 2;  // the vehicle moves
 
 /// The textures of a material: their bindings in set 1, and their places in every array of textures.
 SHARED_CONSTANT TEXTURE_BASE_COLOUR = 0;
@@ -80,7 +86,7 @@ struct DrawPush {
   mat4x3 eye_from_object;
   MaterialData material;
   uint material_index;
-  uint object_id;  // node index + 1
+  uint object_word;  // shared/taa_key.h: node index + 1, and the id of what moves with it
 };
 
 /// KHR_lights_punctual, in this frame's eye space.

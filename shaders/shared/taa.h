@@ -10,23 +10,29 @@
   X(jitter, r2_10, 4) X(jitter, two_samples, 5) X(jitter, rotated_grid, 6)
 #define TAA_DILATION(X)                                                                                      \
   X(dilation, centre, 0) X(dilation, closest_depth, 1) X(dilation, depth_edges, 2) X(dilation, longest, 3)
-// catmull_rom is the way to compute it that suits the device; the two after it force one
+// catmull_rom is the way to compute it that suits the device; the two after it force one. catmull_rom_5 has no corners, and
+// catmull_rom_12 is the same by loads.
 #define TAA_HISTORY(X)                                                                                       \
   X(history, nearest, 0) X(history, bilinear, 1) X(history, catmull_rom, 2) X(history, catmull_rom_16, 3)    \
-  X(history, catmull_rom_9, 4) X(history, catmull_rom_5, 5)
+  X(history, catmull_rom_9, 4) X(history, catmull_rom_5, 5) X(history, catmull_rom_12, 6)
 #define TAA_RINGING(X) X(ringing, kept, 0) X(ringing, clamped, 1)
 #define TAA_SPACE(X) X(space, rgb, 0) X(space, ycocg, 1)
 #define TAA_WEIGHTING(X) X(weighting, none, 0) X(weighting, inverse_luminance, 1) X(weighting, log, 2)
 #define TAA_RECTIFY(X)                                                                                       \
   X(rectify, none, 0) X(rectify, box_clamp, 1) X(rectify, box_clip, 2) X(rectify, variance_clamp, 3)         \
   X(rectify, variance_clip, 4) X(rectify, dop_clip, 5) X(rectify, dop_variance, 6)
+#define TAA_WHERE(X) X(where, everywhere, 0) X(where, unknown, 1)
 #define TAA_AXES(X)                                                                                          \
   X(axes, xyz, 0) X(axes, dop16, 1) X(axes, dop22, 2) X(axes, dop32, 3) X(axes, dop16_grass, 4)              \
   X(axes, dop16_asphalt, 5) X(axes, dop16_ours, 6)
 #define TAA_REJECT(X)                                                                                        \
   X(reject, off_screen, 1) X(reject, tag, 2) X(reject, near_moving, 4) X(reject, velocity, 8)                \
-  X(reject, motion_length, 16) X(reject, speed, 32) X(reject, depth, 64) X(reject, object, 128)
-#define TAA_BLEND(X) X(blend, current, 0) X(blend, constant, 1) X(blend, counting, 2) X(blend, attenuated, 3)
+  X(reject, motion_length, 16) X(reject, speed, 32) X(reject, depth, 64) X(reject, object, 128)              \
+  X(reject, moved_object, 256) X(reject, visibility, 512)
+#define TAA_FILL(X) X(fill, blurred, 0) X(fill, plain, 1)
+#define TAA_BLEND(X)                                                                                         \
+  X(blend, current, 0) X(blend, constant, 1) X(blend, counting, 2) X(blend, attenuated, 3) X(blend, speed, 4)
+#define TAA_INPUT(X) X(input, sampled, 0) X(input, centred, 1)
 #define TAA_KEEPS(X) X(keeps, result, 0) X(keeps, input, 1)
 #define TAA_STORE(X) X(store, dithered, 0) X(store, plain, 1)
 // of the textures of what is drawn; and which implementation resolves
@@ -41,9 +47,12 @@ TAA_RINGING(TAA_CONSTANT)
 TAA_SPACE(TAA_CONSTANT)
 TAA_WEIGHTING(TAA_CONSTANT)
 TAA_RECTIFY(TAA_CONSTANT)
+TAA_WHERE(TAA_CONSTANT)
 TAA_AXES(TAA_CONSTANT)
 TAA_REJECT(TAA_CONSTANT)
+TAA_FILL(TAA_CONSTANT)
 TAA_BLEND(TAA_CONSTANT)
+TAA_INPUT(TAA_CONSTANT)
 TAA_KEEPS(TAA_CONSTANT)
 TAA_STORE(TAA_CONSTANT)
 #endif
@@ -68,6 +77,9 @@ SHARED_CONSTANT TAA_STORE_ID = 13;
 SHARED_CONSTANT TAA_HAS_MOTION_ID = 14;
 SHARED_CONSTANT TAA_HAS_SURFACES_ID = 15;
 SHARED_CONSTANT TAA_ASKS_NEIGHBOURS_ID = 16; // of a row without dilation, whom they tell nothing
+SHARED_CONSTANT TAA_WHERE_ID = 17;
+SHARED_CONSTANT TAA_FILL_ID = 18;
+SHARED_CONSTANT TAA_INPUT_ID = 19;
 
 /// What a resolve writes beside its result.
 SHARED_CONSTANT TAA_WRITES_COUNT = 1;   // of the frames that a history holds
@@ -78,22 +90,36 @@ SHARED_CONSTANT TAA_WRITES_WHY = 16;  // for the views
 SHARED_CONSTANT TAA_WRITES_HISTORY = 32;
 SHARED_CONSTANT TAA_WRITES_PROBE = 64;  // of one pixel
 
+/// Beside the causes among the reasons that views are drawn from: what kind of pixel it is.
+SHARED_CONSTANT TAA_CLASS_SHIFT = 16;
+SHARED_CONSTANT TAA_CLASS_GLOSSY = 1;
+SHARED_CONSTANT TAA_CLASS_MIXED = 2;
+SHARED_CONSTANT TAA_CLASS_MOVING = 4;
+SHARED_CONSTANT TAA_CLASS_UNKNOWN = 8;  // no cause is known by which its history could be wrong
+
 /// What it writes of the one pixel: a texel each, of four floats.
 SHARED_CONSTANT TAA_PROBE_FOUND = 0;    // linear colour of the history as it was read; which of 3x3 speaks for it
 SHARED_CONSTANT TAA_PROBE_BOUNDED = 1;  // the same after rectification, in the working space; weight of the frame
-SHARED_CONSTANT TAA_PROBE_WHY = 2;      // how far it was moved; causes; frames that it holds; 1: there is a history
-SHARED_CONSTANT TAA_PROBE_TEXELS = 3;
+SHARED_CONSTANT TAA_PROBE_WHY = 2;      // how far it was moved; causes and class; frames that it holds; 1: there is a history
+SHARED_CONSTANT TAA_PROBE_INPUT = 3;    // linear colour of the frame that is mixed in
+SHARED_CONSTANT TAA_PROBE_TEXELS = 4;
 
 /// How much of each answer; push constants of the resolve.
 struct TaaPush {
   float alpha;
   float gamma;                    // variance: this many standard deviations
-  float motion_threshold_px;      // near and moving: faster than this
+  float motion_threshold_px;      // near and moving, moved object: faster than this
   float near_m, far_m;            // near and moving: fades from all to nothing
   float velocity_min, velocity_slope;  // velocity: shares of the picture's sides, and what a share more costs
   float motion_length_px;         // motion length: differs by more than this
   float speed_px;                 // speed: faster than this
   float depth_share;              // depth: differs by more than this share
+  float fast_alpha, fast_px;      // blend by speed: the weight of what is so fast
+  float centred_px;               // input centred: the width of its filter
+  float zoom_weight;              // and by how much more, for each share that it came nearer
+  float mixed_alpha;              // and at least this beside what moves
+  float cubic;                    // history: the sharpness of Catmull-Rom, 0.5, or another
+  uint moved_ids;                 // bit i: something of that id moves, or did in the last frame
   uint frame;                     // seeds the rounding
   uint dilates;                   // 0: where neighbours are asked in vain
   ivec2 probe_px;                 // of which more is written

@@ -18,7 +18,7 @@ namespace unghost {
 namespace {
 
 constexpr int width = 300, tall = 3000;   // all of it at once
-constexpr float deepest = 1500, step = 7; // pixels: where the last widget is, and less than the lowest one
+constexpr float deepest = 1700, step = 7; // pixels: where the last widget is, and less than the lowest one
 
 class DemoPanel : public testing::Test {
 protected:
@@ -132,10 +132,12 @@ TEST_F(DemoPanel, AMouseReachesEverythingAndBreaksNothing) {
     changed.insert(now.begin(), now.end());
   };
   const std::vector<std::string> compared[] = {
-      {"grand-tour"}, {"ac4"}, {"dop32-var"}, {"off", "rgb"}, {"holy-trail", "blend", "dop32"}};
+      {"grand-tour"}, {"ac4"}, {"dop32-var"}, {"rgb-var"}, {"off", "rgb"}, {"holy-trail", "blend", "dop32"}};
   for (const std::vector<std::string>& modes : compared) {
     DemoState start = showing(modes.front());
     if (modes.front() == "dop32-var") shown(start).taa.policy.reject = Reject::depth; // as no row has it
+    if (modes.front() == "rgb-var")
+      shown(start).taa.policy.blend = Blend::speed, shown(start).taa.policy.input = Input::centred;
     if (modes.size() > 1) {
       start.compared.clear();
       for (size_t i = 1; i < modes.size(); ++i) start.compared.push_back(place_of_mode(start, modes[i]));

@@ -26,7 +26,7 @@ struct Guard {
 };
 
 constexpr const char *resolve = "taa.comp", *pixel = "taa_pixel.glsl",
-                     *turn = "clamp(turn, arithmetic, unit - arithmetic)";
+                     *turn = "clamp(seed >> 19, arithmetic, unit - arithmetic)";
 constexpr Guard guards[] = {
     {"what is no number ends at the door", "taa_inputs.glsl",
      "return mix(max(colour, vec3(0)), vec3(0), bad);", "return colour;", resolve, "bad-colour", "blend"},
@@ -38,7 +38,7 @@ constexpr Guard guards[] = {
     {"what was off the picture is no history", pixel, "(r.inside || !rejects(reject_off_screen))", "true",
      resolve, "lookup", "blend"},
     {"a store does not round to one side", pixel, turn, "0", resolve, "constant", "blend"},
-    {"a history that stays is not rounded", pixel, turn, "turn", resolve, "flat", "holy-trail"},
+    {"a history that stays is not rounded", pixel, turn, "seed >> 19", resolve, "flat", "holy-trail"},
     {"weights by luminance, not 1 less of it", pixel, "if (weighting != weighting_inverse_luminance)",
      "if (true)", resolve, "constant", "holy-trail"},
     {"black comes back from the logarithm", "taa_colour.glsl", "max(exp(colour) - log_offset, vec3(0))",

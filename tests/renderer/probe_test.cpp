@@ -93,7 +93,8 @@ double difference(const ProbedPixel& pixel, const Rectification& r) {
 double result_difference(const ProbedPixel& pixel, const Rectification& r) {
   const TaaPolicy& policy = pixel.mode.taa.policy;
   const glm::dvec3 mixed =
-      from_working(policy, glm::mix(glm::dvec3(pixel.history->bounded), r.colours[4], double(pixel.weight)));
+      from_working(policy, glm::mix(glm::dvec3(pixel.history->bounded),
+                                    to_working(policy, glm::dvec3(pixel.mixed_in)), double(pixel.weight)));
   return glm::distance(mixed, glm::dvec3(pixel.resolved)) / (glm::length(mixed) + 1e-3);
 }
 
@@ -112,7 +113,7 @@ TEST_F(Probe, EveryRowRectifiesAsPlainArithmeticDoes) {
     if (!pixel.history) continue;
     Neighbourhood linear;
     std::ranges::copy(pixel.colours, linear.begin());
-    const Rectification r = rectification_of(modes[mode].taa, linear, glm::dvec3(pixel.history->found));
+    const Rectification r = rectification_of(pixel.taa(), linear, glm::dvec3(pixel.history->found));
     EXPECT_LT(difference(pixel, r), 2e-5) << modes[mode].name << " " << index;
     moved += pixel.history->moved > 0;
     if (policy.rectify == Rectify::none) {

@@ -6,6 +6,7 @@
 
 #include <glm/gtc/packing.hpp>
 
+#include "tests/renderer/known_causes.h"
 #include "tests/renderer/resolve_bench.h"
 #include "tests/renderer/studio.h"
 
@@ -50,6 +51,8 @@ void expect_agreement(Studio& studio, const std::vector<ModeRun>& modes, int fra
 TEST_F(Resolvers, AgreeOnEveryRow) {
   std::vector<ModeRun> modes;
   for (const TaaMode& mode : taa_modes()) modes.push_back(run_of(mode.name));
+  modes.push_back(known_causes(Where::unknown));
+  modes.push_back(known_causes(Where::everywhere));
   expect_agreement(*studio, modes, 8);
 }
 

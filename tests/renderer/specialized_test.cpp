@@ -63,8 +63,9 @@ std::set<uint32_t> reads_of(const TaaPolicy& policy) {
   const auto add = [&](bool needed, std::initializer_list<uint32_t> bindings) {
     if (needed) reads.insert(bindings);
   };
-  const bool edges = policy.dilation == Dilation::depth_edges;
-  add(policy.dilation == Dilation::closest_depth || edges || policy.needs_tags() ||
+  const bool keyed = policy.needs_key(), edges = policy.dilation == Dilation::depth_edges && !keyed;
+  add(keyed, {TAA_KEY});
+  add((policy.dilation == Dilation::closest_depth && !keyed) || edges || policy.needs_tags() ||
           policy.rejects(Reject::depth | Reject::near_moving),
       {TAA_DEPTH});
   add(policy.needs_previous_objects() || edges, {TAA_OBJECT});

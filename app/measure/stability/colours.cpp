@@ -134,7 +134,8 @@ std::vector<Survival> survive_a_sun(StabilityBench& bench, std::span<const ModeR
     for (size_t mode = 0; mode < modes.size(); ++mode)
       for (uint32_t y = 0; y < sky_height; ++y)
         for (uint32_t x = 0; x < sky_width; ++x) {
-          const bool bounded = modes[mode].taa.policy.rectify != Rectify::none;
+          const TaaPolicy& policy = modes[mode].taa.policy;
+          const bool bounded = policy.rectify != Rectify::none && policy.where == Where::everywhere;
           const auto [low, high] = range_at(inputs, x, y, bounded);
           const glm::vec3 c = results[mode][inputs.at(x, y)];
           for (const float value : {c.x, c.y, c.z})

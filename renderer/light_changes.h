@@ -1,0 +1,21 @@
+// Where light may be another than in the last frame: what rests in light that stays has a history that no
+// light makes wrong.
+#pragma once
+
+#include <vector>
+
+#include "renderer/frame.h"
+
+namespace unghost {
+
+struct LightNow {
+  VkRect2D moving_shadows;       // texels of the shadow map that moving casters lie in
+  std::vector<double> map_place; // of the shadow map
+  bool lamps_moved = false;
+};
+
+/// Fills the part of FrameConstants that says so; `before` becomes this frame's.
+void describe_light_changes(FrameConstants& constants, const FrameInput& input, const LightNow& now,
+                            LastLight& before);
+
+} // namespace unghost

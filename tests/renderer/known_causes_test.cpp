@@ -1,0 +1,72 @@
+// Histories that are given up, or lit anew, for causes that the renderer knows.
+#include "shaders/shared/taa_key.h"
+#include "tests/renderer/known_causes.h"
+#include "tests/renderer/resolve_bench.h"
+
+namespace unghost {
+namespace {
+
+constexpr float albedo = 0.4f;
+
+class KnownCauses : public ResolveBenchTest {
+protected:
+  /// Of a pixel in the middle: what the last of these frames becomes.
+  float last_of(const std::vector<Inputs>& frames, const ModeRun& run) {
+    std::vector<glm::vec3> result;
+    for (size_t i = 0; i < frames.size(); ++i) result = bench.resolve(frames[i], {run}, i == 0).front();
+    return result[frames.back().at(8, 8)].x;
+  }
+};
+
+ModeRun without(Reject test) {
+  ModeRun run = known_causes(Where::unknown);
+  run.taa.policy.reject = Reject(uint32_t(run.taa.policy.reject) & ~uint32_t(test));
+  return run;
+}
+
+Inputs lit(float light) {
+  Inputs inputs;
+  inputs.colours.assign(inputs.colours.size(), glm::vec3(albedo * light));
+  inputs.light.assign(inputs.light.size(), light);
+  return inputs;
+}
+
+/// As the G-buffer writes it.
+uint32_t object(uint32_t node, uint32_t id) { return node | id << OBJECT_ID_SHIFT; }
+
+Inputs covered_by(uint32_t word, float colour) {
+  Inputs inputs;
+  inputs.colours.assign(inputs.colours.size(), glm::vec3(colour));
+  inputs.objects.assign(inputs.objects.size(), word);
+  inputs.motion.assign(inputs.motion.size(), {2, 0}); // the picture moves
+  return inputs;
+}
+
+TEST_F(KnownCauses, AHistoryIsLitAnewWhereAShadowFallsOrGoes) {
+  for (const auto& [before, after] : {std::pair{1.0f, 0.3f}, {0.3f, 1.0f}, {1.0f, 2.5f}}) {
+    std::vector<Inputs> frames(20, lit(before));
+    frames.push_back(lit(after));
+    const float ghost = albedo * (before - after);
+    const float left = last_of(frames, known_causes(Where::unknown)) - albedo * after;
+    EXPECT_LT(std::abs(left / ghost), 0.03) << before << " to " << after; // of what steps of light leave
+    const float kept = last_of(frames, without(Reject::visibility)) - albedo * after;
+    EXPECT_GT(kept / ghost, 0.8) << "the ghost is there without the test";
+  }
+}
+
+TEST_F(KnownCauses, WhatAnotherObjectLeftIsGivenUp) {
+  std::vector<Inputs> frames(20, covered_by(object(7, 1), 0.9f));
+  frames.push_back(covered_by(object(8, 20), 0.1f));
+  EXPECT_NEAR(last_of(frames, known_causes(Where::unknown)), 0.1f, 1e-3);
+  EXPECT_GT(last_of(frames, without(Reject::moved_object)), 0.3f) << "the ghost is there without the test";
+}
+
+TEST_F(KnownCauses, IdsThatCollideCostTheRejection) {
+  std::vector<Inputs> frames(20, covered_by(object(7, 20), 0.9f));
+  frames.push_back(covered_by(object(8, 20), 0.1f));
+  const ModeRun without_test = without(Reject::moved_object);
+  EXPECT_EQ(last_of(frames, known_causes(Where::unknown)), last_of(frames, without_test));
+}
+
+} // namespace
+} // namespace unghost

@@ -16,7 +16,9 @@ bool keeps_tags_apart() { return tests_tags() && keyed(); }
 bool reads_alpha() { return tests_tags() || keyed(); }
 bool needs_volume() { return rectify != rectify_none; }
 bool counts() { return writes_to(TAA_WRITES_COUNT); }
-float most_frames() { return keeps == keeps_input ? 2 : counts() ? 1024 : KEPT_AGES; }
+/// Of the count that goes with a key; blend_counting has one of its own, which goes further.
+bool takes_age() { return keyed() && blend != blend_counting; }
+float most_frames() { return keeps == keeps_input ? 2 : takes_age() ? KEPT_AGES : 1024; }
 
 /// The reprojection of a pixel.
 struct Reprojected {
@@ -231,7 +233,7 @@ void take_kept(inout Reprojected r) {
   for (int i = 0; i < 4; ++i) {
     Kept kept = kept_of_half(r.alphas[i]);
     r.lightness += shares[i] * kept.lightness;
-    if (shares[i] > most) most = shares[i], r.count = kept.age;
+    if (takes_age() && shares[i] > most) most = shares[i], r.count = kept.age;
   }
 }
 

@@ -1,10 +1,10 @@
 #include "renderer/deliver.h"
 
-#include "shaders/shared/taa_key.h"
-
 #include <cassert>
 
 #include <glm/gtc/packing.hpp>
+
+#include "shaders/shared/taa_key.h"
 
 namespace unghost {
 namespace {

@@ -42,15 +42,14 @@ float sun_visibility(vec3 position_eye, vec3 normal) {
   vec2 f = fract(texel);
   vec4 across = vec4(1 - f.x, 1, 1, f.x), down = vec4(1 - f.y, 1, 1, f.y);
   ivec2 last = ivec2(int(frame.shadow_texels) - 1);
-  precise float seen = 0;
+  float seen = 0;
   for (int y = 0; y < 4; ++y) {
     vec4 row;
     for (int x = 0; x < 4; ++x)
       row[x] = texelFetch(shadow_map, clamp(corner + ivec2(x, y), ivec2(0), last), 0).r >= at.z ? 1.0 : 0.0;
     seen += dot(row, across) * down[y];
   }
-  precise float visibility = mix(1, seen / 9, inside);  // the same whoever else asks for it
-  return visibility;
+  return mix(1, seen / 9, inside);
 }
 
 /// A quarter of the share of a level surface's sky that a rectangle above hides: its corner lies over the surface, its
@@ -132,10 +131,10 @@ vec3 lit_surface(ivec2 pixel, vec3 ray, float depth, inout float visibility, ino
   vec3 position_eye = ray * linear_depth(depth);
   vec3 to_eye = normalize(-ray);
   if (has_sun) visibility = dot(normal, frame.towards_sun) > 0 ? sun_visibility(position_eye, normal) : 0;
-  float of_lamps;
-  precise float of_sky = sky_share(position_eye, normal);
-  precise vec3 colour = from_environment(s, to_eye) * of_sky + from_lamps(s, position_eye, to_eye, of_lamps);
-  if (keeps_irradiance) irradiance = light_word(demodulated(visibility, of_sky, of_lamps), light_may_change(position_eye, of_sky));
+  float of_lamps, of_sky = sky_share(position_eye, normal);
+  vec3 colour = from_environment(s, to_eye) * of_sky + from_lamps(s, position_eye, to_eye, of_lamps);
+  if (keeps_irradiance)
+    irradiance = light_word(demodulated(visibility, of_sky, of_lamps), light_may_change(position_eye, of_sky));
   if (has_sun && visibility > 0)
     colour += reflect_light(s, to_eye, frame.towards_sun, sun_alpha) * frame.sun_illuminance * visibility;
   if (has_emissive) colour += own_light(pixel);

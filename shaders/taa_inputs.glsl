@@ -36,6 +36,21 @@ bool keyed() {
   return rejects(reject_moved_object | reject_visibility) || blend == blend_speed || rectifies_unknown_only();
 }
 
+const uint filled_flags =
+    reject_tag | reject_near_moving | reject_velocity | reject_depth | reject_object | reject_moved_object;
+bool needs_blurred() { return fill == fill_blurred && rejects(filled_flags); }
+bool tests_tags() { return rejects(reject_tag) && reads_tags; }
+/// The history's alpha has one place: of a keyed row, tags go with the objects.
+bool keeps_tags_apart() { return tests_tags() && keyed(); }
+bool reads_alpha() { return tests_tags() || keyed(); }
+bool needs_volume() { return rectify != rectify_none; }
+bool counts() { return writes_to(TAA_WRITES_COUNT); }
+/// Of the count that goes with a key; blend_counting has one of its own, which goes further.
+bool takes_age() { return keyed() && blend != blend_counting; }
+float most_frames() { return keeps == keeps_input ? 2 : takes_age() ? KEPT_AGES : 1024; }
+bool centres_input() { return input_frame == input_centred; }
+bool asks_for_depth() { return rejects(reject_near_moving); }
+
 #ifdef TAA_FAST
 #define TAA_MAP(format, Image, name, place) layout(set = 0, binding = place, format) uniform readonly Image name
 #define fetch(map, pixel) imageLoad(map, pixel)

@@ -6,7 +6,7 @@
 #include "shared/taa_key.h"
 
 uint rank_of_key(uint key) { return key >> KEY_DEPTH_SHIFT; }
-float depth_of_key(uint key) { return uintBitsToFloat(key >> KEY_DEPTH_SHIFT << 16); }
+float depth_of_key(uint key) { return uintBitsToFloat(key >> KEY_DEPTH_SHIFT << KEY_DEPTH_IN_FLOAT); }
 uint light_step_of(uint key) { return key >> KEY_LIGHT_SHIFT & KEY_LIGHT_STEPS; }
 float lightness_of_key(uint key) { return float(light_step_of(key)) / KEY_LIGHT_STEPS; }
 float zoom_of(uint key) { return float(key & KEY_ZOOM_STEPS) * KEY_ZOOM_STEP; }

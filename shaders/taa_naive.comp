@@ -6,7 +6,7 @@
 #define FULLSCREEN_HEIGHT TAA_NAIVE_SIDE
 #include "frame.glsl"
 #include "fullscreen.glsl"
-#include "taa_pixel.glsl"
+#include "taa_store.glsl"
 #include "shared/taa_axes.h"
 
 /// The current frame around a pixel, row by row, in the working space.
@@ -66,12 +66,10 @@ ivec2 place_by_key(ivec2 pixel) {
 Around around_of(ivec2 pixel) {
   Around around = Around(key_at(pixel), false, false, 0);
   uint ids = 0, sum = 0;
-  float own = depth_of_key(around.own);
   for (int y = -1; y <= 1; ++y)
     for (int x = -1; x <= 1; ++x) {
       uint key = key_at(inside(pixel + ivec2(x, y)));
-      float depth = depth_of_key(key);
-      around.mixed = around.mixed || depth > 1.25 * own || depth < 0.8 * own;
+      around.mixed = around.mixed || mixes_depths(around.own, key, key);
       ids |= id_bit_of_key(key), sum += light_step_of(key);
     }
   around.mixed = around.mixed || several(ids);

@@ -11,6 +11,7 @@
 #define SHARED_END }
 #define SHARED_CONSTANT inline constexpr uint32_t
 #define SHARED_NUMBER inline constexpr float
+#define SHARED_FUNCTION inline
 namespace unghost {
 using uint = uint32_t;
 using glm::ivec2, glm::uvec2, glm::vec2, glm::vec3, glm::vec4, glm::mat3, glm::mat4, glm::mat3x2, glm::mat4x3;
@@ -20,6 +21,7 @@ using glm::ivec2, glm::uvec2, glm::vec2, glm::vec3, glm::vec4, glm::mat3, glm::m
 #define SHARED_END
 #define SHARED_CONSTANT const uint
 #define SHARED_NUMBER const float
+#define SHARED_FUNCTION
 #endif
 
 #endif

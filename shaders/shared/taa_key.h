@@ -1,22 +1,17 @@
 // What a resolve that knows causes is told of a pixel: one word of 32 bits, and the 16 bits that stay with the history.
 // A key, from its highest bit: depth (14 bits of reversed depth's float, which sort as the depth does), object id (5),
-// whether it is glossy, whether the light on it may change, how much of it arrives (7), and by
-// how much it came nearer (4).
+// whether it is glossy, whether the light on it may change, how much of it arrives (7), and by how much it came nearer (4).
 #ifndef UNGHOST_SHARED_TAA_KEY_H
 #define UNGHOST_SHARED_TAA_KEY_H
 
 #include "language.h"
 
-#ifdef __cplusplus
-#define SHARED_FUNCTION inline
-#else
-#define SHARED_FUNCTION
-#endif
-
 SHARED_BEGIN
 
 /// The word that the G-buffer writes of an object; its six upper bits lie as in a key.
 SHARED_CONSTANT OBJECT_NODE = 0xffffffu;  // node index + 1
+SHARED_CONSTANT OBJECT_TAG_SHIFT = 24;     // where a history of objects keeps tags beside the node
+SHARED_CONSTANT OBJECT_KEYED_SHIFT = 26;   // what a key has of it
 SHARED_CONSTANT OBJECT_GLOSSY = 1u << 26;
 SHARED_CONSTANT OBJECT_ID_SHIFT = 27;
 /// Ids of what moves as one body; the rest are of what rests, and 0 is the sky's. So a collision never hides that something
@@ -27,16 +22,13 @@ SHARED_CONSTANT OBJECT_IDS = 31;
 SHARED_CONSTANT KEY_DEPTH_SHIFT = 18;
 SHARED_CONSTANT KEY_OBJECT_SHIFT = 12;
 SHARED_CONSTANT KEY_LIGHT_SHIFT = 4;
-SHARED_CONSTANT KEY_ID_SHIFT = 13;
-SHARED_CONSTANT KEY_ID = 0x1fu << KEY_ID_SHIFT;
-SHARED_CONSTANT KEY_GLOSSY = 1u << 12;
-SHARED_CONSTANT KEY_LIGHT_CHANGES = 1u << 11;
+SHARED_CONSTANT KEY_DEPTH_IN_FLOAT = 16;  // its lowest bit in a float; the sign and the exponent's highest are always 0
+SHARED_CONSTANT KEY_ID_SHIFT = OBJECT_ID_SHIFT - OBJECT_KEYED_SHIFT + KEY_OBJECT_SHIFT;
+SHARED_CONSTANT KEY_ID = OBJECT_IDS << KEY_ID_SHIFT;
+SHARED_CONSTANT KEY_GLOSSY = OBJECT_GLOSSY >> OBJECT_KEYED_SHIFT << KEY_OBJECT_SHIFT;
 SHARED_CONSTANT KEY_LIGHT_STEPS = 127;
 SHARED_CONSTANT KEY_ZOOM_STEPS = 15;
 SHARED_NUMBER KEY_ZOOM_STEP = 0.02f;
-
-/// Where a history of objects keeps tags beside them.
-SHARED_CONSTANT OBJECT_TAG_SHIFT = 24;
 
 /// Frames that a history counts, before it holds many.
 SHARED_CONSTANT KEPT_AGES = 15;
@@ -57,17 +49,18 @@ SHARED_FUNCTION float light_of(float lightness) {
 }
 
 /// What the light pass says of a pixel: lightness in steps, and whether it may be another than in the last frame.
-SHARED_CONSTANT LIGHT_CHANGES = 128;
+SHARED_CONSTANT LIGHT_CHANGES = KEY_LIGHT_STEPS + 1;
+SHARED_CONSTANT KEY_LIGHT_CHANGES = LIGHT_CHANGES << KEY_LIGHT_SHIFT;
 SHARED_FUNCTION uint light_word(float light, bool changes) {
   return uint(clamp(lightness_of(light), 0.0f, 1.0f) * float(KEY_LIGHT_STEPS) + 0.5f) | (changes ? LIGHT_CHANGES : 0);
 }
 
-/// `depth` reversed, at most 1; `object` as the G-buffer has it, `light` as the light pass; `zoom`: last frame's distance over this
-/// frame's, minus 1.
+/// `depth` reversed, at most 1; `object` as the G-buffer has it, `light` as the light pass; `zoom`: last frame's distance
+/// over this frame's, minus 1.
 SHARED_FUNCTION uint key_of(float depth, uint object, uint light, float zoom) {
-  uint far = floatBitsToUint(depth) >> 16 & 0x3fffu;
+  uint far = floatBitsToUint(depth) >> KEY_DEPTH_IN_FLOAT; // 14 bits
   uint nearer = uint(clamp(zoom / KEY_ZOOM_STEP + 0.5f, 0.0f, float(KEY_ZOOM_STEPS)));
-  return far << KEY_DEPTH_SHIFT | object >> 26 << KEY_OBJECT_SHIFT | light << KEY_LIGHT_SHIFT | nearer;
+  return far << KEY_DEPTH_SHIFT | object >> OBJECT_KEYED_SHIFT << KEY_OBJECT_SHIFT | light << KEY_LIGHT_SHIFT | nearer;
 }
 
 SHARED_END

@@ -7,11 +7,10 @@
 SHARED_BEGIN
 #ifdef __cplusplus
 using glm::clamp, glm::mix, glm::pow, glm::max, glm::lessThan;
-inline
 #endif
-    /// sRGB in [0, 1] from linear light already multiplied by the exposure. The curve is Narkowicz's fit of the
-    /// ACES filmic tone mapping (2015).
-    vec3 display_from_linear(vec3 colour) {
+/// sRGB in [0, 1] from linear light already multiplied by the exposure. The curve is Narkowicz's fit of the
+/// ACES filmic tone mapping (2015).
+SHARED_FUNCTION vec3 display_from_linear(vec3 colour) {
   vec3 x = max(colour, vec3(0.0f));
   vec3 mapped = clamp((x * (2.51f * x + 0.03f)) / (x * (2.43f * x + 0.59f) + 0.14f), vec3(0.0f), vec3(1.0f));
   vec3 curved = 1.055f * pow(mapped, vec3(1.0f / 2.4f)) - 0.055f;

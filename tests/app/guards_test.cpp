@@ -26,19 +26,21 @@ struct Guard {
 };
 
 constexpr const char *resolve = "taa.comp", *pixel = "taa_pixel.glsl",
+                     *reprojection = "taa_reprojection.glsl", *store = "taa_store.glsl",
                      *turn = "clamp(seed >> 19, arithmetic, unit - arithmetic)";
 constexpr Guard guards[] = {
     {"what is no number ends at the door", "taa_inputs.glsl",
      "return mix(max(colour, vec3(0)), vec3(0), bad);", "return colour;", resolve, "bad-colour", "blend"},
-    {"a history that is no number is none", pixel, "r.number = !(any(isnan(found)) || any(isinf(found)));",
-     "r.number = true;", resolve, "bad-history", "blend"},
-    {"what has no motion has no history", pixel,
+    {"a history that is no number is none", reprojection,
+     "r.number = !(any(isnan(found)) || any(isinf(found)));", "r.number = true;", resolve, "bad-history",
+     "blend"},
+    {"what has no motion has no history", reprojection,
      "r.known = all(lessThan(abs(r.motion), vec2(MOTION_UNKNOWN / 2)));", "r.known = true;", resolve,
      "lookup", "blend"},
-    {"what was off the picture is no history", pixel, "(r.inside || !rejects(reject_off_screen))", "true",
-     resolve, "lookup", "blend"},
-    {"a store does not round to one side", pixel, turn, "0", resolve, "constant", "blend"},
-    {"a history that stays is not rounded", pixel, turn, "seed >> 19", resolve, "flat", "holy-trail"},
+    {"what was off the picture is no history", reprojection, "(r.inside || !rejects(reject_off_screen))",
+     "true", resolve, "lookup", "blend"},
+    {"a store does not round to one side", store, turn, "0", resolve, "constant", "blend"},
+    {"a history that stays is not rounded", store, turn, "seed >> 19", resolve, "flat", "holy-trail"},
     {"weights by luminance, not 1 less of it", pixel, "if (weighting != weighting_inverse_luminance)",
      "if (true)", resolve, "constant", "holy-trail"},
     {"black comes back from the logarithm", "taa_colour.glsl", "max(exp(colour) - log_offset, vec3(0))",
@@ -150,7 +152,7 @@ TEST(Guards, TheProgramSaysWhichCellIsOverItsBound) {
 
 TEST(Guards, AFailureByChanceSaysHowItIsRepeated) {
   const Guard range{"",
-                    pixel,
+                    store,
                     "return store == store_dithered ? rounded(colour, pixel) :",
                     "return store == store_dithered ? vec3(-1) :",
                     resolve,

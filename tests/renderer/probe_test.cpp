@@ -90,7 +90,7 @@ double difference(const ProbedPixel& pixel, const Rectification& r) {
 }
 
 /// What an average makes of the two, as a half float holds it.
-double result_difference(const ProbedPixel& pixel, const Rectification& r) {
+double result_difference(const ProbedPixel& pixel) {
   const TaaPolicy& policy = pixel.mode.taa.policy;
   const glm::dvec3 mixed =
       from_working(policy, glm::mix(glm::dvec3(pixel.history->bounded),
@@ -120,7 +120,7 @@ TEST_F(Probe, EveryRowRectifiesAsPlainArithmeticDoes) {
       EXPECT_EQ(pixel.history->moved, 0) << modes[mode].name;
     }
     if (pixel.causes == Reject::nothing) {
-      EXPECT_LT(result_difference(pixel, r), 2e-3) << modes[mode].name << " " << index;
+      EXPECT_LT(result_difference(pixel), 2e-3) << modes[mode].name << " " << index;
     }
   }
   EXPECT_GT(moved, 20u);

@@ -95,14 +95,21 @@ std::string_view summary_of(View view) {
     return "Red where the history was faded because the pixel is near, moving and untagged.";
   case View::rejected:
     return "Where the history was given up: off-screen red, tag green, near and moving violet, velocity "
-           "yellow, length "
-           "of motion cyan, speed pink, depth lime, object blue; of several the last.";
+           "yellow, length of motion cyan, speed pink, depth lime, object blue, moved object orange, light "
+           "turquoise; of several the last.";
   case View::history:
     return "The history as it was mixed with the current frame.";
   case View::age:
     return "How many frames a pixel holds: black none, white 63 or more, on a logarithmic scale.";
   case View::volume:
     return "How large the colour box of the 3x3 neighbourhood is: white lets anything pass.";
+  case View::light_channel:
+    return "How much light arrives, as modes that know causes are told; orange where it may be another than "
+           "last frame's.";
+  case View::pixel_class:
+    return "What modes that know causes take a pixel for: plain grey, glossy blue, mixed yellow, moving "
+           "green, "
+           "mixed and moving red.";
   }
   return {};
 }

@@ -26,8 +26,6 @@ constexpr uint32_t explained_frames = 8; // a history, and a whole cycle of most
 // The ghost itself, and the two steps by which the article gets rid of it.
 const std::vector<std::string> default_comparison = {"off", "blend", "uncharted", "grand-tour"};
 
-ModeRun mode_run(const std::string& name) { return {.name = name, .taa = settings_for_mode(name).taa}; }
-
 std::vector<ModeRun> default_modes(const CommandRow& command) {
   std::vector<ModeRun> runs;
   if (command.options & one_mode) return {mode_run(default_mode)};
@@ -54,8 +52,8 @@ json parse_settings_file(const std::filesystem::path& path) {
 
 // Names of modes become names of files, and keys.
 void check_name(const std::string& name, const std::vector<ModeRun>& others) {
-  const bool plain =
-      !name.empty() && name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789-") == std::string::npos;
+  const bool plain = !name.empty() &&
+                     name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789-:=+.") == std::string::npos;
   if (!plain || name == "reference") throw SettingError("'" + name + "' is no name of a mode");
   if (std::ranges::count(others, name, &ModeRun::name) > 0) throw SettingError("it has " + name + " twice");
 }
@@ -177,11 +175,15 @@ void set_asked(const CommandLine& line, const std::vector<Assignment>& assignmen
 }
 
 // Errors are taken of modes that jitter alike.
-void refuse_jitter(const CommandLine& line, const std::vector<Assignment>& assignments) {
+void refuse_jitter(const CommandLine& line, const std::vector<Assignment>& assignments,
+                   const std::vector<ModeRun>& modes) {
   for (const Assignment& each : assignments)
     if (each.row().name == "jitter")
       refuse(line, each.of_file,
              each.text + " has no effect: all modes that jitter are measured with the same ten points of R2");
+  for (const ModeRun& run : modes)
+    if (run.name.find(":jitter=") != std::string::npos)
+      throw SettingError(run.name + ": all modes that jitter are measured with the same ten points of R2");
 }
 
 // Run times compare the modes on the same geometry, which a jitter would move.
@@ -191,6 +193,10 @@ void drop_jitter(const CommandLine& line, const std::vector<Assignment>& assignm
       refuse(line, each.of_file,
              each.text + " has no effect: " + shot.command +
                  " draws all modes without jitter, so that they share their geometry");
+  for (const ModeRun& run : shot.modes)
+    if (run.name.find(":jitter") != std::string::npos)
+      throw SettingError(run.name + ": " + shot.command +
+                         " draws all modes without jitter, so that they share their geometry");
   for (ModeRun& run : shot.modes) run.taa.policy.jitter = Jitter::none;
 }
 
@@ -231,7 +237,7 @@ Shot shot_from(const CommandLine& line) {
     assignments.push_back({.text = text});
   }
   if (line.command->options & timed) drop_jitter(line, assignments, shot);
-  if (line.command->options & figures) refuse_jitter(line, assignments);
+  if (line.command->options & figures) refuse_jitter(line, assignments, shot.modes);
   set_asked(line, assignments, shot);
   return shot;
 }

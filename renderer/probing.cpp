@@ -54,8 +54,8 @@ void take_resolve(ProbedPixel& pixel, const std::vector<std::byte>& texels,
   pixel.history = {.found = glm::vec3(found),
                    .bounded = glm::vec3(bounded),
                    .moved = why.x,
-                   .rectified =
-                       pixel.mode.taa.policy.where == Where::everywhere || (kind & TAA_CLASS_UNKNOWN) != 0,
+                   .rectified = pixel.mode.taa.policy.where == Where::everywhere ||
+                                (kind & TAA_CLASS_UNKNOWN) != 0 || has(pixel.causes, Reject::visibility),
                    .speaker = speaker,
                    .at_px = glm::dvec2(pixel.input.x, pixel.input.y) + 0.5 + glm::dvec2(motions[speaker])};
 }

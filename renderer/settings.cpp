@@ -118,6 +118,28 @@ Settings settings_for_mode(std::string_view mode) {
   throw SettingError("there is no mode " + in_quotes(mode) + did_you_mean(mode, names));
 }
 
+ModeRun mode_run(const std::string& text) {
+  size_t colon = std::min(text.find(':'), text.size());
+  Settings settings = settings_for_mode(text.substr(0, colon));
+  std::vector<const Setting*> changed;
+  while (colon < text.size()) {
+    const size_t next = std::min(text.find(':', colon + 1), text.size());
+    std::string assignment = text.substr(colon + 1, next - colon - 1);
+    std::ranges::replace(assignment, '+', ','); // which parts the modes
+    apply_setting(settings, assignment);
+    changed.push_back(&find_setting(assignment.substr(0, assignment.find('='))));
+    if (!changed.back()->per_mode)
+      throw SettingError(in_quotes(text) + ": " + std::string(changed.back()->name) +
+                         " is not a mode's own; --set sets it for all");
+    colon = next;
+  }
+  for (const Setting* row : changed)
+    if (!row->used.met_by(settings))
+      throw SettingError(in_quotes(text) + ": " + std::string(row->name) +
+                         " has no effect: " + std::string(row->used.otherwise));
+  return {.name = text, .taa = settings.taa};
+}
+
 std::optional<std::string> refusal(const Settings& settings) {
   const TaaPolicy& policy = settings.taa.policy;
   const TaaSettings& taa = settings.taa;

@@ -62,7 +62,7 @@ constexpr Condition by_speed{[](const Settings& s) { return s.taa.policy.blend =
                              "only blend=speed reads it"};
 constexpr Condition centres_input{
     [](const Settings& s) { return s.taa.policy.needs_history() && s.taa.policy.input == Input::centred; },
-    "only input=centred has a filter"};
+    "only input=centred reads it"};
 constexpr Condition knows_fast{
     [](const Settings& s) { return by_speed.met_by(s) || centres_input.met_by(s); },
     "only blend=speed and input=centred read it"};
@@ -97,7 +97,7 @@ std::span<const Setting> settings_table() {
     policy<&Policy::space>({"space", "", "The colour space in which the history is bounded.", "Karis 2014", 0, 0, rectifies}),
     policy<&Policy::weighting>({"weighting", "", "What keeps bright pixels from flickering.", trail, 0, 0, keeps_history}),
     policy<&Policy::rectify>({"rectify", "", "How the history is bounded by this frame's 3x3 neighbourhood.", "Lottes 2011; Karis 2014; Salvi 2016; Ikkala et al. 2024", 0, 0, keeps_history}),
-    policy<&Policy::where>({"where", "", "Which pixels are bounded: all, or those of which no cause is known (glossy; edges of what moves).", "", 0, 0, rectifies}),
+    policy<&Policy::where>({"where", "", "Which pixels are bounded: all, or those of which no cause is known: a coat of 0.1 or more, a roughness of 0.3 or less, edges of what moves, light that changed.", "", 0, 0, rectifies}),
     policy<&Policy::axes>({"axes", "", "The axes of the polytope.", "Ikkala et al. 2024", 0, 0, has_axes}),
     policy<&Policy::reject>({"reject", "", "When the history is given up: 'nothing', or a list with commas.", tour, 0, 0, keeps_history}),
     policy<&Policy::fill>({"fill", "", "What stands where the history was given up: the new frame, blurred or plain.", tour, 0, 0, keeps_history}),
@@ -118,9 +118,8 @@ std::span<const Setting> settings_table() {
     taa<&Taa::depth_share>({"depth-share", "", "depth rejects where the distance differs by more than this share.", trail, 0, 10, depth}),
     taa<&Taa::fast_alpha>({"fast-alpha", "", "The weight of the current frame where the picture is fast.", "", 0, 1, by_speed}),
     taa<&Taa::fast_px>({"fast", px_a_frame, "What is as fast as this, or faster, counts as fast.", "", 0.01f, 1000, knows_fast}),
-    taa<&Taa::centred_px>({"centred", px, "The width of the filter about the middle: a standard deviation.", "", 0.1f, 2, centres_input}),
+    taa<&Taa::centred_rest>({"centred-rest", "", "How much of input=centred is taken where the picture rests; where it is fast, all of it is.", "", 0, 1, centres_input}),
     taa<&Taa::zoom_weight>({"zoom-weight", "", "What each share by which a surface came nearer adds to the weight.", "", 0, 100, by_speed}),
-    taa<&Taa::mixed_alpha>({"mixed-alpha", "", "The least weight of the current frame at edges of what moves.", "", 0, 1, by_speed}),
     taa<&Taa::sharpen>({"sharpen", "", "Sharpens after the resolve; 2 is the GDK sample's.", gdk, 0, 10}),
     taa<&Taa::mip_bias>({"mip-bias", "levels", "Takes sharper levels of textures.", gdk, -2, 0}),
     taa<&Taa::texture_jitter>({"texture-jitter", "", "Whether textures move with the jitter.", trail, 0, 0, jitters}),

@@ -94,16 +94,15 @@ struct TaaSettings {
   // motion length: differs by more than this. A road that comes nearer is a pixel or two faster each frame;
   // what was hidden by a vehicle differs by more.
   float motion_length_px = 3.0f;
-  float speed_px = 2.0f;    // speed: faster than this
-  float depth_share = 0.1f; // depth: differs by more than this share of it
-  float fast_alpha = 0.42f; // blend by speed: the weight of the current frame where the picture is
-  float fast_px = 2.0f;     // so fast
-  float centred_px = 0.42f; // input centred: the standard deviation of its filter
-  float zoom_weight = 2.0f; // and by so much more for each share that it came nearer
-  float mixed_alpha = 0.6f; // and at least this where edges move
-  float cubic = 0.5f;       // history: the cubic filter's sharpness; 0.5 is Catmull-Rom
-  float sharpen = 0.0f;     // after the resolve; 0: none
-  float mip_bias = 0.0f;    // of the textures of what is drawn, -2 to 0
+  float speed_px = 2.0f;     // speed: faster than this
+  float depth_share = 0.1f;  // depth: differs by more than this share of it
+  float fast_alpha = 0.47f;  // blend by speed: the weight of the current frame where the picture is
+  float fast_px = 0.5f;      // so fast
+  float zoom_weight = 4.0f;  // and by so much more for each share that it came nearer
+  float centred_rest = 0.5f; // input centred: how much of it is taken at rest; where it is fast, all
+  float cubic = 0.5f;        // history: the cubic filter's sharpness; 0.5 is Catmull-Rom
+  float sharpen = 0.0f;      // after the resolve; 0: none
+  float mip_bias = 0.0f;     // of the textures of what is drawn, -2 to 0
   TextureJitter texture_jitter = TextureJitter::kept;
   Resolver resolver = Resolver::fast;
   Store store = Store::dithered;

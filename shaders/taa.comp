@@ -26,7 +26,7 @@ void main() {
     for (int i = 0; i < R; ++i) r[i] = reproject(first + ivec2(0, i), speakers[i].at);
     read_histories(r);
     for (int i = 0; i < R; ++i) {
-      if (keyed()) take_kept(r[i]);
+      if (keyed()) take_kept(r[i], speakers[i].key);
       if (rejects(reject_visibility)) follow_light(r[i], speakers[i].around);
       found[i] = clipped[i] = to_working(r[i].found);
     }
@@ -36,7 +36,7 @@ void main() {
   if (gathers || (bounds && !rectifies_unknown_only())) s = gather(first);
   else
     for (int i = 0; i < R; ++i) s.centres[i + 1] = colour_at(inside(first + ivec2(0, i)));
-  if (bounds && rectifies_unknown_only()) rectify_unknown(first, s, gathers, speakers, found, clipped);
+  if (bounds && rectifies_unknown_only()) rectify_unknown(first, s, gathers, speakers, r, found, clipped);
   else if (bounds) rectify_all(s, found, clipped);
   for (int i = 0; i < R; ++i) {
     ivec2 pixel = first + ivec2(0, i);
@@ -51,7 +51,7 @@ void main() {
       if (centres_input()) {
         vec3 down = centred_weights(frame.jitter_px.y);
         vec3 centred = down.x * s.centred_rows[i] + down.y * s.centred_rows[i + 1] + down.z * s.centred_rows[i + 2];
-        input_colour = mix(centre, centred, fast_share(r[i]));
+        input_colour = mix(centre, centred, centred_share(r[i]));
       }
       float moved = needs_volume() && (blend == blend_attenuated || writes_to(TAA_WRITES_WHY | TAA_WRITES_PROBE))
                         ? moved_by(found[i], clipped[i])

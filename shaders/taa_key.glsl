@@ -1,5 +1,5 @@
 // Reading keys (shared/taa_key.h), and what stays of them with a history: object id, how many frames
-// it holds, and the light that fell on it, as a number from 0 to 61439 in a half float's alpha.
+// it holds, and the light that fell on it, in the alpha of a half float.
 #ifndef UNGHOST_TAA_KEY_GLSL
 #define UNGHOST_TAA_KEY_GLSL
 
@@ -18,25 +18,25 @@ bool several(uint bits) { return (bits & (bits - 1)) != 0; }
 struct Kept {
   uint id;
   float age;   // frames, 1 to KEPT_AGES
-  float lightness;
+  float light_step;  // of KEY_LIGHT_STEPS
 };
 
 // A half float has 30720 positive numbers that are neither infinite nor denormal, and as many negative ones: every device
-// stores and loads those to the bit.
-const uint half_numbers = 30720, least_half_in_float = 113u << 23;
+// stores and loads those to the bit. They have room for 15 ids each.
+const uint half_numbers = 30720, half_ids = 15, least_half_in_float = 113u << 23;
 
 float kept_as_half(uint id, float age, uint light_step) {
-  uint number = (id * KEPT_AGES + uint(clamp(age, 1, KEPT_AGES) - 0.5)) * (KEY_LIGHT_STEPS + 1) + light_step;
-  bool negative = number >= half_numbers;
-  uint magnitude = (number - (negative ? half_numbers : 0)) << 13;
-  return uintBitsToFloat((magnitude + least_half_in_float) | (negative ? 1u << 31 : 0));
+  bool upper = id >= half_ids;
+  uint step = uint(clamp(age, 1, KEPT_AGES) - 0.5);
+  uint number = ((id - (upper ? half_ids : 0)) * KEPT_AGES + step) * (KEY_LIGHT_STEPS + 1) + light_step;
+  return uintBitsToFloat(((number << 13) + least_half_in_float) | (upper ? 1u << 31 : 0));
 }
 
 Kept kept_of_half(float alpha) {
   uint bits = floatBitsToUint(alpha), magnitude = max(bits & 0x7fffffffu, least_half_in_float) - least_half_in_float;
-  uint number = min(magnitude >> 13, half_numbers - 1) + ((bits >> 31) != 0 ? half_numbers : 0);
-  uint upper = number / (KEY_LIGHT_STEPS + 1);
-  return Kept(upper / KEPT_AGES, float(upper % KEPT_AGES + 1), float(number & KEY_LIGHT_STEPS) / KEY_LIGHT_STEPS);
+  uint number = min(magnitude >> 13, half_numbers - 1), rest = number / (KEY_LIGHT_STEPS + 1);
+  return Kept(rest / KEPT_AGES + ((bits >> 31) != 0 ? half_ids : 0), float(rest % KEPT_AGES + 1),
+              float(number & KEY_LIGHT_STEPS));
 }
 
 #endif

@@ -153,12 +153,12 @@ void main() {
   Reprojected r = reproject(pixel, speaker.at);
   take_history(r, read_history(r.at));
   r.alphas = read_alphas(r.at);
-  if (keyed()) take_kept(r);
+  if (keyed()) take_kept(r, speaker.key);
   if (rejects(reject_visibility)) follow_light(r, speaker.around);
   vec3 found = to_working(r.found), bounded = found;
-  if (needs_volume() && (where == where_everywhere || is_unknown(speaker))) bounded = rectified(found, n.colours);
+  if (needs_volume() && (where == where_everywhere || needs_bounds(speaker, r))) bounded = rectified(found, n.colours);
   float moved = needs_volume() ? moved_by(found, bounded) : 0;
-  vec3 centre = centres_input() ? mix(n.centre, n.centred, fast_share(r)) : n.centre;
+  vec3 centre = centres_input() ? mix(n.centre, n.centred, centred_share(r)) : n.centre;
   Resolve result = resolve(r, speaker, rejection(r, speaker), centre, n.blurred, bounded, moved);
   write_pixel(pixel, speaker, n.centre, result);
 }

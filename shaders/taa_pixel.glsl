@@ -7,13 +7,9 @@
 #include "taa_rectify.glsl"
 #include "taa_rejection.glsl"
 
-/// Weights of three pixels in a row of a Gaussian about where the middle one would be without jitter. Samples that are to be
+/// Weights of three pixels in a row that interpolate where the middle one would be without jitter. Samples that are to be
 /// averaged over many frames lie beside it in turns; where few are, that is noise.
-vec3 centred_weights(float jitter_px) {
-  vec3 off = (vec3(-1, 0, 1) - jitter_px) / push.centred_px;
-  vec3 weights = exp(-0.5 * off * off);
-  return weights / (weights.x + weights.y + weights.z);
-}
+vec3 centred_weights(float jitter_px) { return max(vec3(0), 1 - abs(vec3(-1, 0, 1) - jitter_px)); }
 
 /// What a pixel becomes, and why.
 struct Resolve {
@@ -37,7 +33,6 @@ Resolve without_history(vec3 centre, Speaker speaker) {
 /// The weight of the current frame where nothing is rejected.
 float speed_weight(Reprojected r, Speaker speaker) {
   float weight = mix(push.alpha, push.fast_alpha, fast_share(r)) + push.zoom_weight * zoom_of(speaker.key);
-  if (speaker.around.mixed && speaker.around.moving) weight = max(weight, push.mixed_alpha);
   return clamp(max(weight, r.count < most_frames() ? 1 / (r.count + 1) : 0), 0, 1);
 }
 

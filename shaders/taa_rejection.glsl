@@ -19,24 +19,6 @@ bool object_differs(uint now, uint mask, vec2 at) {
   return any(bvec4(uvec4(greaterThan(four_shares(at), least_share)) & uvec4(notEqual(before, uvec4(now & mask)))));
 }
 
-/// Faster than what tests overlook.
-bool moves(Reprojected r) { return dot(r.motion, r.motion) > push.motion_threshold_px * push.motion_threshold_px; }
-
-const float least_leak = 1.0 / 256;  // nothing may bound the history here: what other tests overlook would stay
-
-/// Another object of which either moves or did, or any other where the picture moves.
-bool moved_object_differs(uint key, Reprojected r) {
-  uint now = id_of_key(key);
-  uint movers = moves(r) || (push.moved_ids >> now & 1) != 0 ? ~0u : push.moved_ids;
-  vec4 shares = four_shares(r.at);
-  bool differs = false;
-  for (int i = 0; i < 4; ++i) {
-    uint before = kept_of_half(r.alphas[i]).id;
-    differs = differs || (before != now && (movers >> before & 1) != 0 && shares[i] > least_leak);
-  }
-  return differs;
-}
-
 /// Whether none of the four pixels that the history comes from was as far away as this surface was; the sky is as far as
 /// the sky alone.
 bool depth_differs(float expected, vec2 at) {
@@ -67,7 +49,7 @@ Rejection rejection(Reprojected r, Speaker speaker) {
     j.share = 1, j.causes |= reject_tag;
   if (rejects(reject_object) && object_differs(object_at(speaker.at), OBJECT_NODE, r.at))
     j.share = 1, j.causes |= reject_object;
-  if (rejects(reject_moved_object) && moved_object_differs(speaker.key, r)) j.share = 1, j.causes |= reject_moved_object;
+  if (rejects(reject_moved_object) && r.other_moved) j.share = 1, j.causes |= reject_moved_object;
   if (rejects(reject_depth) && depth_differs(fetch(expected_depth_map, speaker.at).r, r.at))
     j.share = 1, j.causes |= reject_depth;
   if (rejects(reject_near_moving)) {

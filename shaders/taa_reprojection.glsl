@@ -15,12 +15,13 @@ struct Reprojected {
   vec4 alphas;       // of the four pixels there
   float count;       // frames that it holds
   float lightness;   // of what fell on it
+  bool other_moved;  // something else was there, and moves or did
   uint causes;       // for which some of it was given up already
 };
 
 /// All but what the history holds there.
 Reprojected reproject(ivec2 pixel, ivec2 speaker) {
-  Reprojected r = Reprojected(motion_at(speaker), vec2(0), false, false, vec3(0), false, vec4(0), 0, 1, 0);
+  Reprojected r = Reprojected(motion_at(speaker), vec2(0), false, false, vec3(0), false, vec4(0), 0, 1, false, 0);
   r.known = all(lessThan(abs(r.motion), vec2(MOTION_UNKNOWN / 2)));  // nor where it is not a number
   r.at = vec2(pixel) + 0.5 + (r.known ? r.motion : vec2(0));
   r.inside = all(greaterThanEqual(r.at, vec2(0))) && all(lessThanEqual(r.at, frame.size_px));
@@ -39,8 +40,14 @@ bool usable(Reprojected r) {
   return r.known && r.number && (r.inside || !rejects(reject_off_screen));
 }
 
-/// From rest to what counts as fast.
-float fast_share(Reprojected r) { return r.known ? smoothstep(0, push.fast_px, length(r.motion)) : 1; }
+/// From rest to what counts as fast. Where a surface was is not known: as fast as can be.
+float fast_share(Reprojected r) { return min(dot(r.motion, r.motion) * push.inverse_fast_squared, 1); }
+
+/// How much of the frame about the pixel's middle goes into the average, of that and of its sample.
+float centred_share(Reprojected r) { return mix(push.centred_rest, 1, fast_share(r)); }
+
+/// Whether a history may be wrong though no cause gives it up: none is known, or it was lit anew as if it were matt.
+bool needs_bounds(Speaker speaker, Reprojected r) { return is_unknown(speaker) || (r.causes & reject_visibility) != 0; }
 
 /// How much each of the four pixels that a history comes from weighs there: x first, then y.
 vec4 four_shares(vec2 at) {
@@ -48,30 +55,42 @@ vec4 four_shares(vec2 at) {
   return vec4((1 - f.x) * (1 - f.y), f.x * (1 - f.y), (1 - f.x) * f.y, f.x * f.y);
 }
 
-/// What a keyed history says of itself, in place of its count.
-void take_kept(inout Reprojected r) {
+/// Faster than what tests overlook.
+bool moves(Reprojected r) { return dot(r.motion, r.motion) > push.motion_threshold_px * push.motion_threshold_px; }
+
+const float least_leak = 1.0 / 256;  // nothing may bound the history here: what other tests overlook would stay
+
+/// What a keyed history says of itself, in place of its count; and whether it is of another object than `key`, of which
+/// either moves or did, or of any other where the picture moves.
+void take_kept(inout Reprojected r, uint key) {
   vec4 shares = four_shares(r.at);
-  r.lightness = 0;
-  float most = 0;
+  uint now = id_of_key(key), movers = moves(r) || (push.moved_ids >> now & 1) != 0 ? ~0u : push.moved_ids;
+  float light = 0, most = 0;
   for (int i = 0; i < 4; ++i) {
     Kept kept = kept_of_half(r.alphas[i]);
-    r.lightness += shares[i] * kept.lightness;
+    light += shares[i] * kept.light_step;
     if (takes_age() && shares[i] > most) most = shares[i], r.count = kept.age;
+    r.other_moved = r.other_moved || (kept.id != now && (movers >> kept.id & 1) != 0 && shares[i] > least_leak);
   }
+  r.lightness = light / KEY_LIGHT_STEPS;
 }
+
+bool light_changes(Around around) { return (around.own & KEY_LIGHT_CHANGES) != 0; }
 
 /// Where light may have changed, a history whose light was not between the pixel's and the mean of those around is lit anew,
 /// as a surface that does not shine by itself would be.
 void follow_light(inout Reprojected r, Around around) {
-  if ((around.own & KEY_LIGHT_CHANGES) == 0) return;
+  if (!light_changes(around)) return;
   const float most_change = 16;
   float now = lightness_of_key(around.own);
   float bounded = clamp(r.lightness, min(now, around.mean), max(now, around.mean));
   if (bounded == r.lightness) return;
-  float change = clamp(light_of(bounded) / max(light_of(r.lightness), 1e-6), 1 / most_change, most_change);
+  vec2 is = light_fraction(bounded), was = light_fraction(r.lightness);
+  float brighter = is.x * was.y, darker = max(was.x * is.y, 1e-6);
+  float change = clamp(brighter / darker, 1 / most_change, most_change);
   r.found *= change;
   r.lightness = bounded;
-  r.count *= min(change, 1 / change);
+  r.count *= change > 1 ? 1 / change : change;
   r.causes |= reject_visibility;
 }
 

@@ -3,6 +3,7 @@
 #include "frame.glsl"
 #include "fullscreen.glsl"
 #include "shared/taa.h"
+#include "shared/taa_key.h"
 #include "shared/tonemap.h"
 #include "shared/views.h"
 
@@ -19,6 +20,7 @@ layout(set = 0, binding = VIEW_VISIBILITY) uniform texture2D visibility_map;
 layout(set = 0, binding = VIEW_WHY) uniform texture2D why_map;
 layout(set = 0, binding = VIEW_HISTORY) uniform texture2D history_map;
 layout(set = 0, binding = VIEW_LIT) uniform texture2D lit_map;
+layout(set = 0, binding = VIEW_IRRADIANCE) uniform utexture2D irradiance_map;
 layout(set = 0, binding = VIEW_OUT, rgba8) uniform writeonly image2D view_out;
 
 const vec3 red = vec3(0.92, 0.05, 0.03);
@@ -57,6 +59,24 @@ vec3 marked(vec3 picture, bool is) { return is ? mix(picture, red, 0.75) : pictu
 
 /// A colour a cause; the last of several.
 vec3 cause_colour(uint causes) { return hue(float(findMSB(causes)) * 0.381966); }
+
+/// Plain pixels grey; edges that move red, since no cause is known there; else what comes first.
+vec3 class_colour(uint kind, vec3 picture) {
+  vec3 grey = vec3(luminance(picture)), own = vec3(0);
+  bool mixed = (kind & TAA_CLASS_MIXED) != 0, moving = (kind & TAA_CLASS_MOVING) != 0;
+  if (mixed && moving) own = red;
+  else if ((kind & TAA_CLASS_GLOSSY) != 0) own = vec3(0.1, 0.25, 0.95);
+  else if (mixed) own = vec3(0.95, 0.75, 0.05);
+  else if (moving) own = vec3(0.1, 0.7, 0.2);
+  else return grey * 0.6;
+  return mix(grey, own, 0.7);
+}
+
+/// Light that arrives, as a surface of that albedo would look; tinted where it may be another than in the last frame.
+vec3 light_colour(uint word) {
+  float lightness = float(word & KEY_LIGHT_STEPS) / KEY_LIGHT_STEPS;
+  return (word & LIGHT_CHANGES) != 0 ? mix(vec3(lightness), vec3(1, 0.45, 0), 0.4) : vec3(lightness);
+}
 
 /// Of the box around the 3x3 neighbourhood, as tone-mapped colours have it: 1 is all that the screen shows.
 float box_volume(ivec2 pixel) {
@@ -101,6 +121,8 @@ vec3 draw(ivec2 pixel) {
     return resolved ? shown(texelFetch(history_map, min(pixel, textureSize(history_map, 0) - 1), 0).rgb) : vec3(0);
   case view_age: return resolved ? vec3(log2(1 + why_at(pixel).a) / 6) : vec3(0);
   case view_volume: return vec3(pow(box_volume(pixel), 1.0 / 3));
+  case view_light_channel: return light_colour(texelFetch(irradiance_map, pixel, 0).r);
+  case view_pixel_class: return class_colour(class_at(pixel), picture);
   case view_rejected: return mix(picture, cause_colour(causes_at(pixel)), causes_at(pixel) != 0 ? 0.75 : 0);
   case view_rectified: return marked(picture, why_at(pixel).g > 0.1);
   case view_tag_rejected: return marked(picture, (causes_at(pixel) & reject_tag) != 0);

@@ -74,10 +74,9 @@ TaaPush push_of(const FrameContext& in, const TaaSettings& taa) {
           .speed_px = taa.speed_px,
           .depth_share = taa.depth_share,
           .fast_alpha = taa.fast_alpha,
-          .fast_px = taa.fast_px,
-          .centred_px = taa.centred_px,
+          .inverse_fast_squared = 1 / (taa.fast_px * taa.fast_px),
+          .centred_rest = taa.centred_rest,
           .zoom_weight = taa.zoom_weight,
-          .mixed_alpha = taa.mixed_alpha,
           .cubic = taa.cubic,
           .moved_ids = in.moved_ids,
           .frame = uint32_t(in.index),
@@ -123,10 +122,12 @@ struct Reading {
   ImageRef no_floats() const { return graph.neutral(VK_FORMAT_R8_UNORM); }
 };
 
-/// Without motion it is only tests that hear who speaks for a pixel.
+/// Without motion it is only tests that hear who speaks for a pixel, and what a key leaves for the next
+/// frame's.
 bool asks_neighbours(FrameGraph& graph, const TaaPolicy& policy, bool motion, bool tags) {
   const bool dilates = policy.dilation != Dilation::centre;
-  const bool tests = policy.needs_previous_objects() || policy.rejects(Reject::near_moving | Reject::depth) ||
+  const bool tests = policy.needs_previous_objects() || policy.needs_key() ||
+                     policy.rejects(Reject::near_moving | Reject::depth) ||
                      (tags && policy.rejects(Reject::tag));
   const char* why =
       dilates ? "nothing moves, and no test asks who speaks for a pixel" : "this mode does not dilate";

@@ -20,9 +20,9 @@ ImageRef draw_view(FrameGraph& graph, const FrameContext& in, const ViewInputs& 
   const auto of_resolve = [&](std::initializer_list<View> views, ImageRef image, VkFormat format) {
     return only(views, image ? image : graph.neutral(format), format);
   };
-  const ImageRef why = of_resolve(
-      {View::weight, View::rectified, View::tag_rejected, View::near_moving, View::rejected, View::age},
-      inputs.resolved.why, colour);
+  const ImageRef why = of_resolve({View::weight, View::rectified, View::tag_rejected, View::near_moving,
+                                   View::rejected, View::age, View::pixel_class},
+                                  inputs.resolved.why, colour);
   const ImageRef history = of_resolve({View::history}, inputs.resolved.history, hdr);
   graph.compute(
       {.name = "view",
@@ -30,9 +30,10 @@ ImageRef draw_view(FrameGraph& graph, const FrameContext& in, const ViewInputs& 
        .constants = {uint32_t(view), uint32_t(bool(inputs.resolved.why))},
        .bindings =
            {uniform(FRAME_BINDING, in.constants),
-            sampled(VIEW_PICTURE, only({View::colour, View::motion, View::tag, View::rectified,
-                                        View::tag_rejected, View::near_moving, View::rejected},
-                                       inputs.picture, colour)),
+            sampled(VIEW_PICTURE,
+                    only({View::colour, View::motion, View::tag, View::rectified, View::tag_rejected,
+                          View::near_moving, View::rejected, View::pixel_class},
+                         inputs.picture, colour)),
             sampled(VIEW_ALBEDO, only({View::albedo}, inputs.gbuffer.albedo, colour)),
             sampled(VIEW_NORMAL, only({View::normal}, inputs.gbuffer.normal, VK_FORMAT_R32G32_SFLOAT)),
             sampled(VIEW_DEPTH, only({View::depth, View::normal, View::albedo}, inputs.gbuffer.depth,
@@ -41,6 +42,7 @@ ImageRef draw_view(FrameGraph& graph, const FrameContext& in, const ViewInputs& 
             tags ? sampled_stencil(VIEW_TAG, inputs.gbuffer.depth)
                  : sampled(VIEW_TAG, graph.neutral(VK_FORMAT_R8_UINT)),
             sampled(VIEW_VISIBILITY, only({View::shadow}, inputs.lit.visibility, VK_FORMAT_R8_UNORM)),
+            sampled(VIEW_IRRADIANCE, only({View::light_channel}, inputs.lit.irradiance, VK_FORMAT_R8_UINT)),
             sampled(VIEW_WHY, why), sampled(VIEW_HISTORY, history),
             sampled(VIEW_LIT, only({View::volume}, inputs.lit.colour, hdr)), storage_write(VIEW_OUT, out)},
        .cover = in.size});

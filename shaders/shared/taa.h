@@ -114,10 +114,10 @@ struct TaaPush {
   float motion_length_px;         // motion length: differs by more than this
   float speed_px;                 // speed: faster than this
   float depth_share;              // depth: differs by more than this share
-  float fast_alpha, fast_px;      // blend by speed: the weight of what is so fast
-  float centred_px;               // input centred: the width of its filter
+  float fast_alpha;               // blend by speed: the weight of what is fast
+  float inverse_fast_squared;     // one over the square of a motion in pixels that is
+  float centred_rest;             // input centred: how much of it is taken at rest
   float zoom_weight;              // and by how much more, for each share that it came nearer
-  float mixed_alpha;              // and at least this beside what moves
   float cubic;                    // history: the sharpness of Catmull-Rom, 0.5, or another
   uint moved_ids;                 // bit i: something of that id moves, or did in the last frame
   uint frame;                     // seeds the rounding

@@ -15,23 +15,23 @@ SHARED_CONSTANT OBJECT_KEYED_SHIFT = 26;   // what a key has of it
 SHARED_CONSTANT OBJECT_GLOSSY = 1u << 26;
 SHARED_CONSTANT OBJECT_ID_SHIFT = 27;
 /// Ids of what moves as one body; the rest are of what rests, and 0 is the sky's. So a collision never hides that something
-/// moved away from before what rests.
-SHARED_CONSTANT MOVING_IDS = 15;
-SHARED_CONSTANT OBJECT_IDS = 31;
+/// moved away from before what rests. The highest is 29: what stays with a history has room for 30.
+SHARED_CONSTANT MOVING_IDS = 14;
+SHARED_CONSTANT OBJECT_IDS = 29;
 
 SHARED_CONSTANT KEY_DEPTH_SHIFT = 18;
 SHARED_CONSTANT KEY_OBJECT_SHIFT = 12;
 SHARED_CONSTANT KEY_LIGHT_SHIFT = 4;
 SHARED_CONSTANT KEY_DEPTH_IN_FLOAT = 16;  // its lowest bit in a float; the sign and the exponent's highest are always 0
 SHARED_CONSTANT KEY_ID_SHIFT = OBJECT_ID_SHIFT - OBJECT_KEYED_SHIFT + KEY_OBJECT_SHIFT;
-SHARED_CONSTANT KEY_ID = OBJECT_IDS << KEY_ID_SHIFT;
+SHARED_CONSTANT KEY_ID = 31u << KEY_ID_SHIFT;
 SHARED_CONSTANT KEY_GLOSSY = OBJECT_GLOSSY >> OBJECT_KEYED_SHIFT << KEY_OBJECT_SHIFT;
 SHARED_CONSTANT KEY_LIGHT_STEPS = 127;
 SHARED_CONSTANT KEY_ZOOM_STEPS = 15;
 SHARED_NUMBER KEY_ZOOM_STEP = 0.02f;
 
 /// Frames that a history counts, before it holds many.
-SHARED_CONSTANT KEPT_AGES = 15;
+SHARED_CONSTANT KEPT_AGES = 16;
 
 #ifdef __cplusplus
 using glm::floatBitsToUint, glm::clamp, glm::min, glm::sqrt;
@@ -41,11 +41,12 @@ using glm::floatBitsToUint, glm::clamp, glm::min, glm::sqrt;
 /// eye, and back.
 SHARED_NUMBER OPEN_SKY_LIGHTNESS = 0.8f;
 SHARED_FUNCTION float lightness_of(float light) {
-  return light <= 1 ? OPEN_SKY_LIGHTNESS * sqrt(light) : 1 - (1 - OPEN_SKY_LIGHTNESS) / (light * light);
+  return light <= 1 ? OPEN_SKY_LIGHTNESS * sqrt(light) : 1 - (1 - OPEN_SKY_LIGHTNESS) / light;
 }
-SHARED_FUNCTION float light_of(float lightness) {
+/// As numerator and denominator.
+SHARED_FUNCTION vec2 light_fraction(float lightness) {
   float root = lightness / OPEN_SKY_LIGHTNESS;
-  return root <= 1 ? root * root : sqrt((1 - OPEN_SKY_LIGHTNESS) / (1 - min(lightness, 0.999f)));
+  return root <= 1 ? vec2(root * root, 1) : vec2(1 - OPEN_SKY_LIGHTNESS, 1 - min(lightness, 0.999f));
 }
 
 /// What the light pass says of a pixel: lightness in steps, and whether it may be another than in the last frame.

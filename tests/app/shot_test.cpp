@@ -174,6 +174,17 @@ TEST(Shot, RunTimesHaveNoJitterAndMeasurementsOneOfTheirOwn) {
   const auto file = folder.file("moved.json", R"({"jitter": "halton-8"})");
   const std::string refused = refusal_of({"measure", "--settings", file.c_str()});
   EXPECT_NE(refused.find("moved.json: jitter=halton-8 has no effect"), std::string::npos) << refused;
+  EXPECT_THROW(shot_of({"measure", "--modes", "rgb:jitter=none"}), SettingError);
+  EXPECT_THROW(shot_of({"bench", "--modes", "rgb:jitter-scale=0.5"}), SettingError);
+}
+
+TEST(Shot, AModeMayStandBesideItself) {
+  const Shot shot = shot_of({"compare", "--modes", "rgb,rgb:alpha=0.5"});
+  ASSERT_EQ(shot.modes.size(), 2u);
+  EXPECT_EQ(shot.modes[1].name, "rgb:alpha=0.5");
+  TaaSettings other = shot.modes[0].taa;
+  other.alpha = 0.5f;
+  EXPECT_EQ(shot.modes[1].taa, other);
 }
 
 TEST(Shot, AFileThatIsWrongIsRefused) {

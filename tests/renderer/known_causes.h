@@ -17,7 +17,8 @@ inline ModeRun known_causes(Where where) {
                       .fill = Fill::plain,
                       .blend = Blend::speed,
                       .input = Input::centred},
-           .alpha = 0.07f}};
+           .alpha = 0.08f,
+           .jitter_scale = 0.85f}};
 }
 
 } // namespace unghost

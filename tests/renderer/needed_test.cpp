@@ -4,6 +4,8 @@
 #include <functional>
 
 #include "renderer/view.h"
+#include "tests/renderer/box_scene.h"
+#include "tests/renderer/known_causes.h"
 #include "tests/renderer/studio.h"
 
 namespace unghost {
@@ -46,31 +48,6 @@ struct Drawn {
     return found == frame.left_out.end() ? "" : found->why;
   }
 };
-
-/// A box that a rig moves, of one material.
-Scene box_of(const Material& material) {
-  Scene scene;
-  scene.materials.push_back(material);
-  Bounds bounds;
-  for (int face = 0; face < 6; ++face)
-    for (int corner = 0; corner < 4; ++corner) {
-      const int axis = face / 2, u = (axis + 1) % 3, v = (axis + 2) % 3, side = face % 2 * 2 - 1;
-      glm::vec3 position(0), normal(0);
-      normal[axis] = position[axis] = float(side);
-      position[u] = corner == 1 || corner == 2 ? 1.0f : -1.0f;
-      position[v] = float(side) * (corner >= 2 ? 1.0f : -1.0f); // front faces turn counter-clockwise
-      scene.vertices.push_back({.position = position + glm::vec3(0, 1, 0), .normal = normal});
-      bounds.add(glm::dvec3(scene.vertices.back().position));
-    }
-  for (uint32_t face = 0; face < 6; ++face)
-    for (const uint32_t corner : {0u, 1u, 2u, 0u, 2u, 3u}) scene.indices.push_back(4 * face + corner);
-  scene.meshes.push_back(
-      {.name = "box",
-       .primitives = {{.index_count = 36, .vertex_count = 24, .material = 0, .bounds = bounds}}});
-  scene.nodes.push_back({.name = "box", .mesh = 0});
-  scene.vehicle = 0;
-  return scene;
-}
 
 class Needed : public StudioTest {
 protected:
@@ -255,6 +232,14 @@ TEST_F(KeptAll, TheNaiveResolveAndWhatNoRowHasLookTheSame) {
     input.modes[0].taa.policy.reject = Reject::depth | Reject::object;
     input.modes[0].taa.policy.blend = Blend::counting;
   });
+}
+
+// The first frame's motion is none, and what it leaves of its keys the next one's motion reads.
+TEST_F(KeptAll, KnownCausesLookTheSame) {
+  for (const char* rig : {"still", "drive", "pass"})
+    expect_same(studio->renderer, rig, {"rgb", "rgb"}, [](FrameInput& input) {
+      input.modes = {known_causes(Where::unknown), known_causes(Where::everywhere)};
+    });
 }
 
 TEST_F(KeptAll, MasksLampsAndWhatShinesLookTheSame) {

@@ -93,6 +93,23 @@ TEST(Settings, WrongWordsNameTheNearest) {
   EXPECT_NE(complaint([&] { apply_setting(settings, "alpha"); }).find("name=value"), std::string::npos);
 }
 
+TEST(Settings, AModeMayHaveSettingsOfItsOwn) {
+  const ModeRun run = mode_run("grand-tour:alpha=0.25:reject=off-screen+tag");
+  EXPECT_EQ(run.name, "grand-tour:alpha=0.25:reject=off-screen+tag");
+  TaaSettings uncharted = settings_for_mode("uncharted").taa;
+  uncharted.alpha = 0.25f;
+  EXPECT_EQ(run.taa, uncharted);
+  EXPECT_EQ(mode_run("rgb").taa, settings_for_mode("rgb").taa);
+  for (const auto& [text, why] : {std::pair{"rbg:alpha=0.2", "'rgb'"},
+                                  {"rgb:alhpa=0.2", "'alpha'"},
+                                  {"rgb:alpha=2", "from 0 to 1"},
+                                  {"rgb:", "name=value"},
+                                  {"rgb:alpha=0.2:", "name=value"},
+                                  {"rgb:sun=0.2", "not a mode's own"},
+                                  {"rgb:gamma=2", "gamma has no effect"}})
+    EXPECT_NE(complaint([&] { mode_run(text); }).find(why), std::string::npos) << text;
+}
+
 TEST(Settings, NumbersOutsideTheirRangeAreRefused) {
   for (const char* text : {"alpha=1.01", "alpha=-0.1", "alpha=nan", "alpha=inf", "alpha=", "alpha=0.1x",
                            "alpha=0,1", "alpha= 0.1", "alpha=1e99", "speed=-1"}) {

@@ -6,6 +6,7 @@
 #include "app/measure/report/embedded.h"
 #include "app/measure/report/html.h"
 #include "app/measure/report/sections.h"
+#include "app/measure/report/variants.h"
 
 namespace unghost {
 namespace {
@@ -97,7 +98,7 @@ Results with_worst_frames_only(Results results) {
 }
 
 std::string body_of(const Results& all, const FindPicture& pictures, const PageNotes& notes) {
-  const Results results = with_worst_frames_only(all);
+  const Results results = with_worst_frames_only(without_variants(all));
   const Looks looks = looks_of(results);
   json data = {{"charts", json::object()}};
   std::string cases;
@@ -106,7 +107,7 @@ std::string body_of(const Results& all, const FindPicture& pictures, const PageN
   return "<main>\n<header><h1>What each mode costs, and what it leaves behind</h1>\n" +
          summary_section(results, looks) + "</header>\n" +
          (notes.baseline ? baseline_section(*notes.baseline, looks) : "") + case_links(results) +
-         (looks.empty() ? "" : key_of(looks)) + cases + "<section id=\"paper\"><h2>Beside the paper</h2>\n" +
+         (looks.empty() ? "" : key_of(looks)) + cases + variants_section(all) + "<section id=\"paper\"><h2>Beside the paper</h2>\n" +
          paper_section(results, notes) + "</section>\n" +
          (notes.stability ? stability_section(*notes.stability, looks) : "") +
          "<section id=\"origin\"><h2>Device and settings</h2>\n" + origin_section(results) +

@@ -96,7 +96,9 @@ void add_options(CLI::App& app, const CommandRow& row, CommandLine& line) {
   if (row.options & one_mode)
     app.add_option("--mode", line.mode, "Which temporal resolve (default grand-tour)");
   if (row.options & many_modes)
-    app.add_option("--modes", line.modes, "Names with commas between them, or all; rgb:alpha=0.05 is a row with a setting of its own")
+    app.add_option(
+           "--modes", line.modes,
+           "Names with commas between them, or all; rgb:alpha=0.05 is a row with a setting of its own")
         ->delimiter(',')
         ->allow_extra_args(false)
         ->check(no_option);

@@ -108,8 +108,7 @@ std::string_view summary_of(View view) {
            "last frame's.";
   case View::pixel_class:
     return "What modes that know causes take a pixel for: plain grey, glossy blue, mixed yellow, moving "
-           "green, "
-           "mixed and moving red.";
+           "green, mixed and moving red.";
   }
   return {};
 }

@@ -102,7 +102,7 @@ std::span<const Setting> settings_table() {
     policy<&Policy::reject>({"reject", "", "When the history is given up: 'nothing', or a list with commas.", tour, 0, 0, keeps_history}),
     policy<&Policy::fill>({"fill", "", "What stands where the history was given up: the new frame, blurred or plain.", tour, 0, 0, keeps_history}),
     policy<&Policy::blend>({"blend", "", "How the weight of the current frame is found."}),
-    policy<&Policy::input>({"input", "", "The new frame as it was sampled, or filtered about each pixel's middle where the picture is fast.", "Karis 2014", 0, 0, keeps_history}),
+    policy<&Policy::input>({"input", "", "The new frame as it was sampled, or interpolated at each pixel's middle: wholly where the picture is fast.", "Karis 2014", 0, 0, keeps_history}),
     policy<&Policy::keeps>({"keeps", "", "What the next frame finds: the result, or the frame as it came in.", "Sousa 2011", 0, 0, keeps_history}),
     taa<&Taa::alpha>({"alpha", "", "The weight of the current frame.", "", 0, 1, keeps_history}),
     taa<&Taa::gamma>({"gamma", "", "How many standard deviations the variance's volume reaches.", "Salvi 2016", 0, 10, has_variance}),

@@ -84,15 +84,10 @@ void clip_variance_along(vec3 axis, Strip s, vec3 histories[R], inout float shar
 void rectify_all(Strip s, vec3 found[R], out vec3 bounded[R]) {
   float share[R];
   for (int i = 0; i < R; ++i) share[i] = 1e30;
-  if (rectify == rectify_dop_clip) {
-#define AXIS(x, y, z) clip_along(vec3(x, y, z), s, found, share);
-    TAA_EACH_AXIS
-#undef AXIS
-    for (int i = 0; i < R; ++i) bounded[i] = on_segment(s.colours[3 * i + 4], found[i], share[i]);
-    return;
-  }
-  if (rectify == rectify_dop_variance) {
-#define AXIS(x, y, z) clip_variance_along(vec3(x, y, z), s, found, share);
+  if (rectify == rectify_dop_clip || rectify == rectify_dop_variance) {
+#define AXIS(x, y, z)                                                                                        \
+  if (rectify == rectify_dop_clip) clip_along(vec3(x, y, z), s, found, share);                               \
+  else clip_variance_along(vec3(x, y, z), s, found, share);
     TAA_EACH_AXIS
 #undef AXIS
     for (int i = 0; i < R; ++i) bounded[i] = on_segment(s.colours[3 * i + 4], found[i], share[i]);

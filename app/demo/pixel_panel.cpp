@@ -87,8 +87,8 @@ void draw_colours(const ProbedPixel& pixel, const Rectification& r) {
   const TaaPolicy policy = pixel.taa().policy;
   colour_row("new frame", glm::dvec3(pixel.colours[4]), pixel.exposure, "As it was drawn, linear.");
   if (pixel.mixed_in != pixel.colours[4])
-    colour_row("filtered", glm::dvec3(pixel.mixed_in), pixel.exposure,
-               "The same about the pixel's middle: what is mixed in.");
+    colour_row("centred", glm::dvec3(pixel.mixed_in), pixel.exposure,
+               "The same at the pixel's middle, as far as that is taken: what is mixed in.");
   if (pixel.history) {
     colour_row("history", glm::dvec3(pixel.history->found), pixel.exposure,
                "As it was read, before anything bounds it; the ring in the planes.", history_ink);

@@ -107,9 +107,9 @@ std::string body_of(const Results& all, const FindPicture& pictures, const PageN
   return "<main>\n<header><h1>What each mode costs, and what it leaves behind</h1>\n" +
          summary_section(results, looks) + "</header>\n" +
          (notes.baseline ? baseline_section(*notes.baseline, looks) : "") + case_links(results) +
-         (looks.empty() ? "" : key_of(looks)) + cases + variants_section(all) + "<section id=\"paper\"><h2>Beside the paper</h2>\n" +
-         paper_section(results, notes) + "</section>\n" +
-         (notes.stability ? stability_section(*notes.stability, looks) : "") +
+         (looks.empty() ? "" : key_of(looks)) + cases + variants_section(all) +
+         "<section id=\"paper\"><h2>Beside the paper</h2>\n" + paper_section(results, notes) +
+         "</section>\n" + (notes.stability ? stability_section(*notes.stability, looks) : "") +
          "<section id=\"origin\"><h2>Device and settings</h2>\n" + origin_section(results) +
          "</section>\n</main>\n" + "<script type=\"application/json\" id=\"data\">" + script_json(data) +
          "</script>\n";

@@ -111,8 +111,8 @@ std::string variants_section(const Results& results) {
   }
   if (html.empty()) return html;
   return "<section id=\"variants\"><h2>One part changed at a time</h2>\n<p>How much more or less of each "
-         "figure there is "
-         "with one setting changed, in percent of what the mode itself has; more, which is worse, in "
+         "figure there is with one setting changed, in percent of what the mode itself has; more, which is "
+         "worse, in "
          "bold.</p>\n" +
          html + "</section>\n";
 }

@@ -12,8 +12,8 @@ namespace unghost {
 bool is_variant(const Measured& m, const std::string& mode);
 /// All else.
 Results without_variants(Results results);
-/// A table a figure and changed row: how much more or less of it there is with each change, by rig. Empty
-/// without any.
+/// By changed row, a table a figure: how much more or less of it there is with each change, in each case.
+/// Empty where no row was changed.
 std::string variants_section(const Results& results);
 
 } // namespace unghost

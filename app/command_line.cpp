@@ -13,6 +13,7 @@
 #include "app/paths.h"
 #include "app/table.h"
 #include "renderer/spelling.h"
+#include "renderer/taa_modes.h"
 
 namespace unghost {
 namespace {
@@ -94,7 +95,8 @@ void add_options(CLI::App& app, const CommandRow& row, CommandLine& line) {
                    "and --view change them in all frames, and other modes can be named")
         ->check(no_option);
   if (row.options & one_mode)
-    app.add_option("--mode", line.mode, "Which temporal resolve (default grand-tour)");
+    app.add_option("--mode", line.mode,
+                   "Which temporal resolve (default " + std::string(default_taa_mode) + ")");
   if (row.options & many_modes)
     app.add_option(
            "--modes", line.modes,

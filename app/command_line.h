@@ -45,6 +45,7 @@ struct MeasureWords {
 /// What `report` is told.
 struct ReportWords {
   bool quick = false, full = false;
+  bool ablation = false;                          // unghost without each of its parts, too
   std::vector<std::string> from;                  // measurements, in place of measuring
   std::optional<std::string> baseline, stability; // files
   std::optional<double> allow;                    // share by which a figure may be worse

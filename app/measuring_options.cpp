@@ -34,6 +34,8 @@ void add_report(CLI::App& app, CommandLine& line) {
   app.add_flag("--quick,!--no-quick", line.report.quick, "The quick protocol (the default): minutes");
   app.add_flag("--full,!--no-full", line.report.full,
                "The full protocol, at 1280x720 and 640x360: hours; goes on where it was ended");
+  app.add_flag("--ablation,!--no-ablation", line.report.ablation,
+               "Also unghost with each of its parts taken out: what it saves, and what it costs");
   app.add_option("--from", line.report.from,
                  "Measurements, files or folders, of which the page is written; nothing is measured")
       ->check(no_option);

@@ -29,9 +29,9 @@ void check_words(const CommandLine& line) {
   if (line.report.quick && line.report.full) throw WrongWords("--quick and --full do not go together");
   if (line.report.allow && !line.report.baseline)
     throw WrongWords("--allow says how much worse than --baseline is no regression, and there is none");
-  const bool chosen = line.report.quick || line.report.full || line.scene || line.rig || line.size ||
-                      line.seed || line.frames || line.rounds || !line.modes.empty() ||
-                      !line.assignments.empty() || !line.settings.empty();
+  const bool chosen = line.report.quick || line.report.full || line.report.ablation || line.scene ||
+                      line.rig || line.size || line.seed || line.frames || line.rounds ||
+                      !line.modes.empty() || !line.assignments.empty() || !line.settings.empty();
   if (!line.report.from.empty() && chosen)
     throw WrongWords("--from reads what was measured, so that there is nothing to choose");
 }

@@ -1,5 +1,8 @@
 #include "app/report_plan.h"
 
+#include <algorithm>
+
+#include "app/measure/report/ablation.h"
 #include "app/measuring.h"
 #include "app/rigs.h"
 #include "renderer/spelling.h"
@@ -26,8 +29,23 @@ std::vector<std::string> rigs_of(const CommandLine& line) {
   return names;
 }
 
+/// What --modes is told. Without jitter, as times are taken, rows that change it are none.
+std::vector<std::string> modes_of(const CommandLine& line, bool jittered) {
+  std::vector<std::string> modes = line.modes;
+  if (!line.report.ablation) return modes;
+  if (modes.empty()) modes.emplace_back("all");
+  const auto add = [&](const std::string& name) {
+    if (std::ranges::count(modes, name) == 0) modes.push_back(name);
+  };
+  if (std::ranges::count(modes, "all") == 0) add(std::string(ablated_row));
+  for (const Part& part : parts())
+    if (jittered || !part.change.starts_with("jitter")) add(name_without(part));
+  return modes;
+}
+
 /// Of one scene, rig and size.
-Job job_of(const CommandLine& line, const std::string& rig, PictureSize size, const Words& more) {
+Job job_of(const CommandLine& line, const std::string& rig, PictureSize size, bool jittered,
+           const Words& more) {
   Words words = {"measure", line.scene.value_or(own_scene),
                  "--rig",   rig,
                  "--size",  text_of(size),
@@ -35,7 +53,7 @@ Job job_of(const CommandLine& line, const std::string& rig, PictureSize size, co
   const auto add = [&](const char* option, const std::string& value) {
     if (!value.empty()) words.insert(words.end(), {option, value});
   };
-  add("--modes", joined(line.modes, ","));
+  add("--modes", joined(modes_of(line, jittered), ","));
   for (const std::string& assignment : line.assignments) add("--set", assignment);
   add("--settings", line.settings.string());
   if (line.frames) add("--frames", std::to_string(*line.frames));
@@ -56,12 +74,12 @@ std::vector<Job> report_jobs(const CommandLine& line) {
       if (!first && !line.report.full && rig != timed_rig && !line.rig) continue; // minutes
       std::string what = words_by_default();
       if (rig == rest_rig) what += ",convergence";
-      jobs.push_back(
-          job_of(line, rig, size, {"--what", what, "--keep", keeps_pictures(line, size) ? "worst" : "none"}));
+      jobs.push_back(job_of(line, rig, size, true,
+                            {"--what", what, "--keep", keeps_pictures(line, size) ? "worst" : "none"}));
     }
     Words timed = {"--what", "time"};
     if (line.rounds) timed.insert(timed.end(), {"--rounds", std::to_string(*line.rounds)});
-    jobs.push_back(job_of(line, line.rig.value_or(timed_rig), size, timed));
+    jobs.push_back(job_of(line, line.rig.value_or(timed_rig), size, false, timed));
   }
   for (const Job& job : jobs)
     MeasurePlan{command_line_of(job.words)}; // refuses what is wrong before any work

@@ -21,14 +21,13 @@ using nlohmann::json;
 
 constexpr size_t settings_file_limit = 256 << 20;
 constexpr std::string_view all_modes = "all"; // a word of --modes
-constexpr const char* default_mode = "grand-tour";
-constexpr uint32_t explained_frames = 8; // a history, and a whole cycle of most jitters
-// The ghost itself, and the two steps by which the article gets rid of it.
-const std::vector<std::string> default_comparison = {"off", "blend", "uncharted", "grand-tour"};
+constexpr uint32_t explained_frames = 8;      // a history, and a whole cycle of most jitters
+// Aliased, the ghost itself, the article's way without it, and ours.
+const std::vector<std::string> default_comparison = {"off", "blend", "grand-tour", "unghost"};
 
 std::vector<ModeRun> default_modes(const CommandRow& command) {
   std::vector<ModeRun> runs;
-  if (command.options & one_mode) return {mode_run(default_mode)};
+  if (command.options & one_mode) return {mode_run(std::string(default_taa_mode))};
   if (command.options & (figures | timed))
     for (const TaaMode& row : taa_modes()) runs.push_back(mode_run(std::string(row.name)));
   else
@@ -189,12 +188,12 @@ void refuse_jitter(const CommandLine& line, const std::vector<Assignment>& assig
 // Run times compare the modes on the same geometry, which a jitter would move.
 void drop_jitter(const CommandLine& line, const std::vector<Assignment>& assignments, Shot& shot) {
   for (const Assignment& each : assignments)
-    if (each.row().name == "jitter" || each.row().name == "jitter-scale")
+    if (each.row().name.starts_with("jitter"))
       refuse(line, each.of_file,
              each.text + " has no effect: " + shot.command +
                  " draws all modes without jitter, so that they share their geometry");
   for (const ModeRun& run : shot.modes)
-    if (run.name.find(":jitter") != std::string::npos)
+    if (run.name.find("jitter") != std::string::npos)
       throw SettingError(run.name + ": " + shot.command +
                          " draws all modes without jitter, so that they share their geometry");
   for (ModeRun& run : shot.modes) run.taa.policy.jitter = Jitter::none;

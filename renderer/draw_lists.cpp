@@ -63,8 +63,8 @@ void put_in_order(FrameContext& in, std::vector<std::pair<double, const Draw*>> 
 
 } // namespace
 
-VkRect2D list_draws(FrameGraph& graph, FrameContext& in, const FrameConstants& constants, const GpuScene& gpu,
-                    const PlacedObjects& objects) {
+MovingShadows list_draws(FrameGraph& graph, FrameContext& in, const FrameConstants& constants,
+                         const GpuScene& gpu, const PlacedObjects& objects) {
   const glm::dmat4 clip_from_eye(constants.clip_from_eye);
   glm::dmat4 shadow_clip_from_eye(constants.shadow_from_eye);
   for (int column = 0; column < 4; ++column)
@@ -73,7 +73,7 @@ VkRect2D list_draws(FrameGraph& graph, FrameContext& in, const FrameConstants& c
   // Culling does not see the jitter: it could move things by half a pixel.
   const glm::dvec2 side = 1.0 + 1.0 / glm::dvec2(constants.size_px);
   std::vector<uint8_t> seen, seen_by_sun;
-  Bounds moving;
+  Bounds moving, swept; // in the map
   for (const Draw& draw : gpu.draws) {
     const glm::dmat4& eye_from_object = objects.eye_from_object[draw.object];
     const bool moved = objects.moved[draw.object] != 0;
@@ -82,10 +82,15 @@ VkRect2D list_draws(FrameGraph& graph, FrameContext& in, const FrameConstants& c
                           may_be_seen(draw.bounds, shadow_clip_from_eye * eye_from_object));
     in.in_view.anything |= seen.back() != 0;
     in.in_view.anything_moved |= moved && seen.back() != 0;
-    if (!moved || !casts_shadow(draw) || seen_by_sun.back() == 0) continue;
-    in.in_view.moving_casters = true;
-    for (const glm::dvec4& corner : corners_of(draw.bounds))
-      moving.add(glm::dvec3(shadow_clip_from_eye * eye_from_object * corner));
+    if (!moved || !casts_shadow(draw)) continue;
+    const glm::dmat4 before = objects.eye_from_object_before(draw.object);
+    for (const glm::dvec4& corner : corners_of(draw.bounds)) {
+      const glm::dvec3 at(shadow_clip_from_eye * eye_from_object * corner);
+      swept.add(at);
+      swept.add(glm::dvec3(shadow_clip_from_eye * before * corner));
+      if (seen_by_sun.back() != 0) moving.add(at);
+    }
+    in.in_view.moving_casters |= seen_by_sun.back() != 0;
   }
   const auto needed = [&](const std::vector<uint8_t>& within, const char* what, const char* where) {
     const auto beyond = std::ranges::count(within, 0);
@@ -102,7 +107,7 @@ VkRect2D list_draws(FrameGraph& graph, FrameContext& in, const FrameConstants& c
     if (casts_shadow(draw) && (all_cast || seen_by_sun[i] != 0)) in.casters.push_back(&draw);
   }
   put_in_order(in, std::move(by_distance), objects);
-  return texels_of(moving);
+  return {.now = texels_of(moving), .swept = texels_of(swept)};
 }
 
 } // namespace unghost

@@ -35,6 +35,7 @@ PlacedObjects place_objects(const FrameInput& input, const Scene& scene, const G
     objects.previous_eye_from_object.emplace_back(relative_to(input.before.eye, before[size_t(node)]));
     objects.mirrored.push_back(glm::determinant(glm::dmat3(eye_from_object)) < 0);
   }
+  objects.eye_moved = input.now.eye - input.before.eye;
   for (size_t n = 0; n < scene.nodes.size(); ++n)
     objects.lamps_moved |= scene.nodes[n].light >= 0 && now[n] != before[n];
   return objects;
@@ -144,11 +145,6 @@ DepthRange tagged_range(const FrameInput& input, const GpuScene& gpu, const Plac
   return {.deepest_m = float(deepest), .length_m = glm::length(box.high - box.low)};
 }
 
-/// Whether what rests is where it was in the picture.
-bool same_view(const Instant& now, const Instant& before) {
-  return now.eye == before.eye && now.camera == before.camera && now.vertical_fov == before.vertical_fov;
-}
-
 /// Its light, or its shadows.
 bool shows_sun(const FrameInput& input) {
   return input.settings.light.sun_illuminance > 0 || input.settings.view == View::shadow ||
@@ -207,7 +203,7 @@ FrameSetup describe_frame(FrameGraph& graph, const FrameInput& given, const Scen
                   .moved = objects.moved,
                   .mirrored = objects.mirrored,
                   .in_view = {},
-                  .camera_moved = !same_view(input.now, input.before),
+                  .camera_moved = camera_moves(input),
                   .moved_ids = moved_ids(gpu, objects, before.moved_ids),
                   .sun_shines = shows_sun(input),
                   .more_features = features_of_all(graph, gpu.traits),
@@ -218,18 +214,17 @@ FrameSetup describe_frame(FrameGraph& graph, const FrameInput& given, const Scen
                   .policy_changed = changes_of(before.policies, input.modes),
                   .tagged = tagged_range(input, gpu, objects),
                   .timed = input.timed};
-  in.shadows_moved_before = before.light.moving_shadows;
-  describe_light_changes(constants, input,
-                         {.moving_shadows = list_draws(graph, in, constants, gpu, objects),
-                          .map_place = map_place,
-                          .lamps_moved = objects.lamps_moved},
-                         before.light);
+  const MovingShadows shadows = list_draws(graph, in, constants, gpu, objects);
+  in.shadows_moved_before = std::exchange(before.moving_shadows, shadows.now);
+  in.light_changes = describe_light_changes(
+      constants, input,
+      {.swept_shadows = shadows.swept, .map_place = map_place, .lamps_moved = objects.lamps_moved},
+      before.light);
 
   const SharedGeometries shared = share_geometries(input);
   FrameSetup setup{.contexts = {}, .geometry_of = shared.of_mode};
   for (const TaaSettings* taa : shared.settings) {
-    const glm::dvec2 own = jitter_offset(taa->policy.jitter, input.index) * double(taa->jitter_scale);
-    const glm::dvec2 jitter_px = input.jitter_px.value_or(own);
+    const glm::dvec2 jitter_px = jitter_of(*taa, input);
     describe_camera(constants, input, jitter_px);
     const bool removed = taa->texture_jitter == TextureJitter::removed;
     const glm::dvec2 shift_px = removed ? jitter_px : glm::dvec2(0);

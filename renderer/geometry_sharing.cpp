@@ -1,15 +1,16 @@
 #include "renderer/geometry_sharing.h"
 
+#include "renderer/view.h"
+
 namespace unghost {
 namespace {
 
 bool share_geometry(const FrameInput& input, const TaaSettings& a, const TaaSettings& b) {
   if (a.mip_bias != b.mip_bias) return false;
   if (input.jitter_px) return a.texture_jitter == b.texture_jitter;
-  const bool still = a.policy.jitter == Jitter::none || a.jitter_scale == 0;
-  const bool other_still = b.policy.jitter == Jitter::none || b.jitter_scale == 0;
-  return (still && other_still) || (!still && !other_still && a.policy.jitter == b.policy.jitter &&
-                                    a.jitter_scale == b.jitter_scale && a.texture_jitter == b.texture_jitter);
+  const double side = jitter_side(a, input);
+  if (side != jitter_side(b, input)) return false;
+  return side == 0 || (a.policy.jitter == b.policy.jitter && a.texture_jitter == b.texture_jitter);
 }
 
 } // namespace

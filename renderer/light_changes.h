@@ -9,13 +9,14 @@
 namespace unghost {
 
 struct LightNow {
-  VkRect2D moving_shadows;       // texels of the shadow map that moving casters lie in
+  VkRect2D swept_shadows{};      // texels of the shadow map that moving casters lie in, or did
   std::vector<double> map_place; // of the shadow map
   bool lamps_moved = false;
 };
 
-/// Fills the part of FrameConstants that says so; `before` becomes this frame's.
-void describe_light_changes(FrameConstants& constants, const FrameInput& input, const LightNow& now,
+/// Fills the part of FrameConstants that says so, and returns whether it is so anywhere; `before` becomes
+/// this frame's.
+bool describe_light_changes(FrameConstants& constants, const FrameInput& input, const LightNow& now,
                             LastLight& before);
 
 } // namespace unghost

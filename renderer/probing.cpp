@@ -93,6 +93,7 @@ ProbedPixel probed(const FrameInput& input, std::span<const std::vector<std::byt
                     .tag = element<uint8_t>(readbacks[tag]),
                     .object = element<uint32_t>(readbacks[object]) & OBJECT_NODE};
   std::ranges::transform(nine<uint64_t>(input, readbacks[colours]), pixel.colours.begin(), unpacked);
+  pixel.mixed_in = pixel.colours[4];
   if (resolves(input)) take_resolve(pixel, readbacks[of_resolve], motions);
   return pixel;
 }

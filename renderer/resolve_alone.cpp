@@ -114,7 +114,7 @@ private:
 TaaInputs uploaded(Uploads& uploads, const ResolveInputs& inputs) {
   TaaInputs images{};
   images.colour = uploads.image(halves(inputs.colours), VK_FORMAT_R16G16B16A16_SFLOAT);
-  images.gbuffer.surfaces = images.gbuffer.tagged = images.motion.moves = true;
+  images.gbuffer.surfaces = images.gbuffer.tagged = images.gbuffer.lit = images.motion.moves = true;
   images.motion.motion_px = uploads.image(inputs.motion, VK_FORMAT_R32G32_SFLOAT);
   images.motion.depth = uploads.image(tagged_depth(inputs), VK_FORMAT_R32_SFLOAT);
   images.motion.previous_depth = uploads.image(inputs.expected_depth, VK_FORMAT_R32_SFLOAT);
@@ -156,6 +156,8 @@ struct ResolveAlone::Parts {
                           .index = since_cut,
                           .cut = cut,
                           .constants = runner.memory().push_value(constants),
+                          .light_changes = true,
+                          .moved_ids = inputs.moved_ids,
                           .policy_changed = std::vector<uint8_t>(runs.size(), cut),
                           .tagged = {.deepest_m = 8, .length_m = 5}};
     FrameGraph graph(runner.kept(), frame++);

@@ -108,6 +108,7 @@ std::span<const Setting> settings_table() {
     taa<&Taa::gamma>({"gamma", "", "How many standard deviations the variance's volume reaches.", "Salvi 2016", 0, 10, has_variance}),
     taa<&Taa::cubic>({"cubic", "", "How sharp the cubic is that reads the history; 0.5 is Catmull-Rom.", "Keys 1981", 0, 1, overshoots}),
     taa<&Taa::jitter_scale>({"jitter-scale", px, "The width of the square that the jitter fills.", gdk, 0, 1, jitters}),
+    taa<&Taa::jitter_moving>({"jitter-moving", "", "The share of jitter-scale that is left while the camera moves, which itself brings surfaces to other places of their pixels.", "", 0, 1, jitters}),
     taa<&Taa::motion_threshold_px>({"motion-threshold", px_a_frame, "near-moving and moved-object act on what is faster.", tour, 0, 1000, asks_what_moves}),
     taa<&Taa::near_m>({"near", m, "near-moving gives up all history nearer than this; 0: the far end of what is tagged.", tour, 0, 1e5f, near_moving}),
     taa<&Taa::far_m>({"far", m, "near-moving keeps all history beyond this; 0: a vehicle's length beyond near.", tour, 0, 1e5f, near_moving}),

@@ -51,7 +51,25 @@ constexpr TaaSettings holy_trail() {
   return settings;
 }
 
-constexpr std::string_view gdk_sample = "GDK sample", dop_paper = "Ikkala et al. 2024";
+/// Nothing is guessed from colours where the renderer knows what became of a pixel: objects that moved,
+/// light that changed, the speed of the picture. What it cannot know is bounded by the neighbourhood.
+constexpr TaaSettings known_causes(Rectify rectify, Where where, Input input) {
+  return {.policy = {.jitter = Jitter::r2_10,
+                     .dilation = Dilation::depth_edges,
+                     .history = HistoryFilter::catmull_rom_12,
+                     .ringing = Ringing::clamped,
+                     .rectify = rectify,
+                     .where = where,
+                     .reject = leaves_screen | Reject::moved_object | Reject::visibility,
+                     .fill = Fill::plain,
+                     .blend = Blend::speed,
+                     .input = input},
+          .alpha = 0.08f,
+          .jitter_scale = 0.85f,
+          .jitter_moving = 0.6f};
+}
+
+constexpr std::string_view gdk_sample = "GDK sample", dop_paper = "Ikkala et al. 2024", ours = "this project";
 
 constexpr TaaMode rows[] = {
     {"off", "The frame as it is drawn: no jitter, no history, every edge aliased.", "", {}},
@@ -113,6 +131,16 @@ constexpr TaaMode rows[] = {
      "A polytope of 16 faces whose axes were found for this asphalt.",
      dop_paper,
      {.policy = clipped(Rectify::dop_clip, Space::rgb, Axes::dop16_ours)}},
+    {"unghost",
+     "History given up where an object moved, lit anew where light changed, and clipped to the box only "
+     "where neither is known: reflections, and edges that move.",
+     ours, known_causes(Rectify::box_clip, Where::unknown, Input::centred)},
+    {"unghost-safe",
+     "As unghost, and clipped everywhere: bounds what the renderer does not know, such as a sprite without "
+     "an id.",
+     ours, known_causes(Rectify::box_clip, Where::everywhere, Input::centred)},
+    {"unghost-lite", "As unghost, without any colour neighbourhood.", ours,
+     known_causes(Rectify::none, Where::everywhere, Input::sampled)},
 };
 
 } // namespace

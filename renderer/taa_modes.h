@@ -86,6 +86,7 @@ struct TaaSettings {
   float alpha = 0.1f;               // weight of the current frame
   float gamma = 1.0f;               // variance: this many standard deviations
   float jitter_scale = 1.0f;        // 0 to 1, of a pixel
+  float jitter_moving = 1.0f;       // share of it while the camera moves
   float motion_threshold_px = 1.0f; // near and moving, moved object: faster than this
   float near_m = 0.0f;              // near and moving: nearer than this, all of the history goes; 0: found
   float far_m = 0.0f;               // and beyond this, none; 0: found
@@ -96,7 +97,7 @@ struct TaaSettings {
   float motion_length_px = 3.0f;
   float speed_px = 2.0f;     // speed: faster than this
   float depth_share = 0.1f;  // depth: differs by more than this share of it
-  float fast_alpha = 0.47f;  // blend by speed: the weight of the current frame where the picture is
+  float fast_alpha = 0.52f;  // blend by speed: the weight of the current frame where the picture is
   float fast_px = 0.5f;      // so fast
   float zoom_weight = 4.0f;  // and by so much more for each share that it came nearer
   float centred_rest = 0.5f; // input centred: how much of it is taken at rest; where it is fast, all
@@ -116,6 +117,9 @@ struct TaaMode {
   std::string_view source;
   TaaSettings settings;
 };
+
+/// What is shown where nobody says.
+constexpr std::string_view default_taa_mode = "unghost";
 
 std::span<const TaaMode> taa_modes();
 /// The row of that name, or nothing.

@@ -133,6 +133,21 @@ glm::dvec2 jitter_offset(Jitter sequence, uint64_t index) {
   return {0, 0};
 }
 
+bool camera_moves(const FrameInput& input) {
+  const Instant &now = input.now, &before = input.before;
+  return now.eye != before.eye || now.camera != before.camera || now.vertical_fov != before.vertical_fov;
+}
+
+double jitter_side(const TaaSettings& taa, const FrameInput& input) {
+  if (taa.policy.jitter == Jitter::none) return 0;
+  return double(taa.jitter_scale) * (camera_moves(input) ? double(taa.jitter_moving) : 1);
+}
+
+glm::dvec2 jitter_of(const TaaSettings& taa, const FrameInput& input) {
+  if (input.jitter_px) return *input.jitter_px;
+  return jitter_offset(taa.policy.jitter, input.index) * jitter_side(taa, input);
+}
+
 Projected project(const Instant& instant, glm::dvec3 position_world, uint32_t width, uint32_t height) {
   const glm::dvec3 view = glm::inverse(instant.camera) * (position_world - instant.eye);
   const glm::dvec2 tangent = tangent_of(instant, width, height);

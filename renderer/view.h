@@ -14,6 +14,12 @@ void describe_camera(FrameConstants& constants, const FrameInput& input, glm::dv
 uint32_t jitter_cycle(Jitter sequence);
 /// Offset of frame `index` in pixels, each axis in [-0.5, 0.5).
 glm::dvec2 jitter_offset(Jitter sequence, uint64_t index);
+/// Whether what rests is elsewhere in the picture than in the frame before.
+bool camera_moves(const FrameInput& input);
+/// Of the square that a mode's jitter fills, in pixels; 0 without.
+double jitter_side(const TaaSettings& taa, const FrameInput& input);
+/// By how many pixels the frame of a mode is shifted.
+glm::dvec2 jitter_of(const TaaSettings& taa, const FrameInput& input);
 /// Point `n` of R2, which never repeats (Roberts 2018), each axis in [-0.5, 0.5).
 glm::dvec2 r2_sequence(uint64_t n);
 

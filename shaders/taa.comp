@@ -27,7 +27,7 @@ void main() {
     read_histories(r);
     for (int i = 0; i < R; ++i) {
       if (keyed()) take_kept(r[i], speakers[i].key);
-      if (rejects(reject_visibility)) follow_light(r[i], speakers[i].around);
+      if (relights) follow_light(r[i], speakers[i].around);
       found[i] = clipped[i] = to_working(r[i].found);
     }
   }
@@ -47,12 +47,7 @@ void main() {
       vec3 blurred = needs_blurred()
                          ? (s.blurred_rows[i] + 2 * s.blurred_rows[i + 1] + s.blurred_rows[i + 2]) / 16
                          : centre;
-      vec3 input_colour = centre;
-      if (centres_input()) {
-        vec3 down = centred_weights(frame.jitter_px.y);
-        vec3 centred = down.x * s.centred_rows[i] + down.y * s.centred_rows[i + 1] + down.z * s.centred_rows[i + 2];
-        input_colour = mix(centre, centred, centred_share(r[i]));
-      }
+      vec3 input_colour = centres_input() ? mix(centre, centred_of(s, i), centred_share(r[i])) : centre;
       float moved = needs_volume() && (blend == blend_attenuated || writes_to(TAA_WRITES_WHY | TAA_WRITES_PROBE))
                         ? moved_by(found[i], clipped[i])
                         : 0;

@@ -42,6 +42,12 @@ void boxes_of(Strip s, out vec3 low[R], out vec3 high[R]) {
   }
 }
 
+/// The frame at the middle of a pixel of the column.
+vec3 centred_of(Strip s, int i) {
+  vec3 down = centred_weights(frame.jitter_px.y);
+  return down.x * s.centred_rows[i] + down.y * s.centred_rows[i + 1] + down.z * s.centred_rows[i + 2];
+}
+
 /// The box of mean and standard deviation.
 void variance_boxes_of(Strip s, out vec3 low[R], out vec3 high[R]) {
   vec3 means[COLUMN], squares[COLUMN];

@@ -27,6 +27,7 @@ layout(constant_id = TAA_ASKS_NEIGHBOURS_ID) const bool asks_neighbours = false;
 layout(constant_id = TAA_WHERE_ID) const uint where = 0;
 layout(constant_id = TAA_FILL_ID) const uint fill = 0;
 layout(constant_id = TAA_INPUT_ID) const uint input_frame = 0;
+layout(constant_id = TAA_RELIGHTS_ID) const bool relights = false;
 
 bool rejects(uint test) { return (reject & test) != 0; }
 bool writes_to(uint what) { return (writes & what) != 0; }

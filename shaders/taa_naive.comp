@@ -154,7 +154,7 @@ void main() {
   take_history(r, read_history(r.at));
   r.alphas = read_alphas(r.at);
   if (keyed()) take_kept(r, speaker.key);
-  if (rejects(reject_visibility)) follow_light(r, speaker.around);
+  if (relights) follow_light(r, speaker.around);
   vec3 found = to_working(r.found), bounded = found;
   if (needs_volume() && (where == where_everywhere || needs_bounds(speaker, r))) bounded = rectified(found, n.colours);
   float moved = needs_volume() ? moved_by(found, bounded) : 0;

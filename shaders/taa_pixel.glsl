@@ -73,7 +73,7 @@ Resolve resolve(Reprojected r, Speaker speaker, Rejection j, vec3 centre, vec3 b
   float weight = mix(blend_weight(r, speaker, moved), 1, j.share);
   vec3 colour = needs_blurred() ? mix(centre, blurred, j.share) : centre;
   result.colour = weight >= 1 ? colour : average(r, bounded, colour, weight);
-  if (rejects(reject_velocity)) result.colour = mix(result.colour, blurred, j.drawn);
+  if (rejects(reject_velocity)) result.colour = mix(result.colour, needs_blurred() ? blurred : centre, j.drawn);
   result.weight = mix(weight, 1, j.drawn);
   result.count = result.weight >= 1 ? 1 : min(r.count + 1, most_frames());
   if (keyed()) result.lightness = mix(r.lightness, result.lightness, result.weight);

@@ -41,7 +41,7 @@ bool usable(Reprojected r) {
 }
 
 /// From rest to what counts as fast. Where a surface was is not known: as fast as can be.
-float fast_share(Reprojected r) { return min(dot(r.motion, r.motion) * push.inverse_fast_squared, 1); }
+float fast_share(Reprojected r) { return r.known ? min(dot(r.motion, r.motion) * push.inverse_fast_squared, 1) : 1; }
 
 /// How much of the frame about the pixel's middle goes into the average, of that and of its sample.
 float centred_share(Reprojected r) { return mix(push.centred_rest, 1, fast_share(r)); }
@@ -84,7 +84,8 @@ void follow_light(inout Reprojected r, Around around) {
   const float most_change = 16;
   float now = lightness_of_key(around.own);
   float bounded = clamp(r.lightness, min(now, around.mean), max(now, around.mean));
-  if (bounded == r.lightness) return;
+  const float least_step = 0.5;  // below it lies what arithmetic leaves of even light
+  if (abs(bounded - r.lightness) * KEY_LIGHT_STEPS < least_step) return;
   vec2 is = light_fraction(bounded), was = light_fraction(r.lightness);
   float brighter = is.x * was.y, darker = max(was.x * is.y, 1e-6);
   float change = clamp(brighter / darker, 1 / most_change, most_change);

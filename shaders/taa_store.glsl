@@ -38,12 +38,12 @@ void write_probe(ivec2 pixel, Speaker speaker, Resolve r) {
   imageStore(probe_out, ivec2(TAA_PROBE_INPUT, 0), vec4(r.mixed_in, 1));
 }
 
-/// Writes all that is asked for. The tag goes with the history, and costs no image of its own.
+/// Writes all that is asked for. What goes with the history, a tag or what stays of a key, costs no image of its own.
 void write_pixel(ivec2 pixel, Speaker speaker, vec3 centre, Resolve r) {
-  float tag = tests_tags() ? speaker.tag : 0;
-  if (keyed()) tag = kept_as_half(id_of_key(speaker.key), r.count, light_step(r.lightness, pixel));
-  imageStore(colour_out, pixel, vec4(stored(r.colour, pixel), tag));
-  if (keeps == keeps_input) imageStore(input_out, pixel, vec4(min(centre, vec3(65504)), tag));
+  float alpha = tests_tags() ? speaker.tag : 0;
+  if (keyed()) alpha = kept_as_half(id_of_key(speaker.key), r.count, light_step(r.lightness, pixel));
+  imageStore(colour_out, pixel, vec4(stored(r.colour, pixel), alpha));
+  if (keeps == keeps_input) imageStore(input_out, pixel, vec4(min(centre, vec3(65504)), alpha));
   if (writes_to(TAA_WRITES_COUNT)) imageStore(count_out, pixel, vec4(r.count));
   if (writes_to(TAA_WRITES_MOTION)) imageStore(motion_out, pixel, vec4(motion_at(speaker.at), 0, 0));
   if (writes_to(TAA_WRITES_DEPTH)) imageStore(depth_out, pixel, vec4(linear_depth(depth_at(speaker.at))));

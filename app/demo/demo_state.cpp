@@ -8,7 +8,7 @@ DemoState default_demo_state() {
   DemoState state;
   for (const TaaMode& row : taa_modes())
     state.modes.push_back({.name = std::string(row.name), .taa = row.settings});
-  state.mode = state.shown_before = place_of_mode(state, "grand-tour");
+  state.mode = state.shown_before = place_of_mode(state, default_taa_mode);
   state.compared = {place_of_mode(state, "blend")}; // with a ghost, as the shown one has none
   return state;
 }

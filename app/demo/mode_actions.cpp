@@ -13,11 +13,12 @@ namespace {
 
 constexpr size_t numbered = 10; // keys of digits
 
-// The table's rows that keep a history, of which the first ten have a digit each.
+// The first of the table's rows that keep a history, and the one that is shown at first.
 std::vector<std::string_view> numbered_modes() {
   std::vector<std::string_view> names;
   for (const TaaMode& row : taa_modes())
-    if (row.settings.policy.needs_history() && names.size() < numbered) names.push_back(row.name);
+    if (row.settings.policy.needs_history() && names.size() < numbered - 1) names.push_back(row.name);
+  names.push_back(default_taa_mode);
   return names;
 }
 

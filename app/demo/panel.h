@@ -26,7 +26,7 @@ constexpr size_t charted_frames = 120;
 /// How wide it is, pixels, in a window of this width and height; `text_scale` as the Gui has it.
 uint32_t panel_width(uint32_t width, double text_scale);
 /// What a person who sees this for the first time presses.
-constexpr std::string_view first_keys = "1: a ghost   6: hardly any   B: both\n"
+constexpr std::string_view first_keys = "1: a ghost   0: hardly any   B: both\n"
                                         "V: magnify   H: all keys   U: hide all";
 /// Changes `state` as a person asks.
 void draw_panel(DemoState& state, const DemoFacts& facts, uint32_t width);

@@ -33,7 +33,7 @@ struct GpuScene {
   std::vector<Draw> draws;
   /// The node of each object; as long as the objects of a frame.
   std::vector<int> object_nodes;
-  /// What the G-buffer writes of each (shaders/shared/taa_key.h), but for what changes from frame to frame.
+  /// What the G-buffer writes of each (shaders/shared/taa_key.h), but for what changes from pixel to pixel.
   std::vector<uint32_t> object_words;
   SceneTraits traits;
   bool software = false; // the device: some ways to the same result suit one better

@@ -4,6 +4,43 @@
 #include "shaders/shared/bindings.h"
 
 namespace unghost {
+namespace {
+
+/// What is told of a pixel beside its motion.
+struct Told {
+  bool key = false;   // for known causes
+  bool light = false; // in it
+};
+
+Told told(FrameGraph& graph, const FrameContext& in, bool lit, ImageRef key) {
+  const auto any = [&](auto asks) {
+    return std::ranges::any_of(in.modes, [&](const ModeRun& run) { return asks(run.taa.policy); });
+  };
+  const bool keyed = any([](const TaaPolicy&policy) { return policy.needs_key(); }),
+             relit = any([](const TaaPolicy&policy) { return policy.rejects(Reject::visibility); });
+  if (!graph.needed(keyed, {"keys", "no mode asks for known causes"}, {key})) return {};
+  return {.key = true, .light = lit && graph.needed(relit, {"light of keys", "no mode follows it"})};
+}
+
+std::vector<Binding> bindings_of(FrameGraph& graph, const FrameContext& in, const GBuffer& gbuffer,
+                                 ImageRef irradiance, const Motion& motion, Told told) {
+  const auto read_if = [&](bool is, uint32_t slot, ImageRef read) {
+    return sampled(slot, is ? read : graph.neutral(VK_FORMAT_R32G32B32A32_SFLOAT));
+  };
+  const ImageRef no_integers = graph.neutral(VK_FORMAT_R8_UINT);
+  return {uniform(FRAME_BINDING, in.constants),
+          read_if(gbuffer.surfaces, MOTION_DEPTH, gbuffer.depth),
+          read_if(gbuffer.moves, MOTION_OF_OBJECTS, gbuffer.object_motion),
+          gbuffer.tagged ? sampled_stencil(MOTION_TAG, gbuffer.depth) : sampled(MOTION_TAG, no_integers),
+          sampled(MOTION_OBJECT, told.key && gbuffer.surfaces ? gbuffer.object : no_integers),
+          sampled(MOTION_IRRADIANCE, told.light ? irradiance : no_integers),
+          storage_write(MOTION_KEY_OUT, motion.key),
+          storage_write(MOTION_OUT, motion.motion_px),
+          storage_write(MOTION_PREVIOUS_DEPTH_OUT, motion.previous_depth),
+          storage_write(MOTION_DEPTH_OUT, motion.depth)};
+}
+
+} // namespace
 
 Motion resolve_motion(FrameGraph& graph, const FrameContext& in, const GBuffer& gbuffer, const Lit& lit) {
   const auto image = [&](const char* name, VkFormat format) {
@@ -16,35 +53,18 @@ Motion resolve_motion(FrameGraph& graph, const FrameContext& in, const GBuffer& 
   motion.moves =
       graph.needed(in.camera_moved || in.in_view.anything_moved,
                    {"motion", "neither the camera nor anything in view moves"}, {motion.motion_px});
-  const auto read_if = [&](bool is, uint32_t slot, ImageRef read) {
-    return sampled(slot, is ? read : graph.neutral(VK_FORMAT_R32G32B32A32_SFLOAT));
-  };
-  const bool asked =
-      std::ranges::any_of(in.modes, [](const ModeRun& run) { return run.taa.policy.needs_key(); });
-  const bool keyed = graph.needed(asked, {"keys", "no mode asks for known causes"}, {motion.key});
-  const bool light = keyed && gbuffer.lit;
-  const ImageRef no_integers = graph.neutral(VK_FORMAT_R8_UINT);
-  graph.compute(
-      {.name = "motion",
-       .shader = "motion.comp",
-       .constants = {uint32_t(gbuffer.moves),
-                     motion.previous_depth,
-                     motion.depth,
-                     uint32_t(gbuffer.surfaces),
-                     uint32_t(gbuffer.tagged),
-                     {0, {{motion.key, uint32_t(keyed)}}},
-                     uint32_t(light)},
-       .bindings = {uniform(FRAME_BINDING, in.constants),
-                    read_if(gbuffer.surfaces, MOTION_DEPTH, gbuffer.depth),
-                    read_if(gbuffer.moves, MOTION_OF_OBJECTS, gbuffer.object_motion),
-                    gbuffer.tagged ? sampled_stencil(MOTION_TAG, gbuffer.depth)
-                                   : sampled(MOTION_TAG, no_integers),
-                    sampled(MOTION_OBJECT, keyed && gbuffer.surfaces ? gbuffer.object : no_integers),
-                    sampled(MOTION_IRRADIANCE, light ? lit.irradiance : no_integers),
-                    storage_write(MOTION_KEY_OUT, motion.key), storage_write(MOTION_OUT, motion.motion_px),
-                    storage_write(MOTION_PREVIOUS_DEPTH_OUT, motion.previous_depth),
-                    storage_write(MOTION_DEPTH_OUT, motion.depth)},
-       .cover = in.size});
+  const Told asked = told(graph, in, gbuffer.lit, motion.key);
+  graph.compute({.name = "motion",
+                 .shader = "motion.comp",
+                 .constants = {uint32_t(gbuffer.moves),
+                               motion.previous_depth,
+                               motion.depth,
+                               uint32_t(gbuffer.surfaces),
+                               uint32_t(gbuffer.tagged),
+                               {0, {{motion.key, uint32_t(asked.key)}}},
+                               uint32_t(asked.light)},
+                 .bindings = bindings_of(graph, in, gbuffer, lit.irradiance, motion, asked),
+                 .cover = in.size});
   return motion;
 }
 

@@ -43,6 +43,7 @@ struct FrameContext {
   std::vector<uint8_t> mirrored;    // by object: whether its triangles are turned inside out
   InView in_view;
   bool camera_moved = false;
+  bool light_changes = false;          // on some surface, since the last frame
   uint32_t moved_ids = 0;              // bit i: something of that id (shaders/shared/taa_key.h) moves, or did
   bool sun_shines = false;             // or somebody looks at its shadows
   uint32_t more_features = 0;          // beside each draw's own: bits of frame.h

@@ -46,7 +46,7 @@ Kept kept_by(FrameGraph& graph, const FrameContext& in, size_t place) {
   return kept;
 }
 
-/// A sixteen-load Catmull-Rom is what a software device does faster, nine taps what others do.
+/// Loads, sixteen or twelve, are what a software device does faster; nine or five taps are what others do.
 HistoryFilter filter_for(const FrameContext& in, HistoryFilter asked) {
   if (asked == HistoryFilter::catmull_rom_12) return in.scene.software ? asked : HistoryFilter::catmull_rom_5;
   if (asked != HistoryFilter::catmull_rom) return asked;
@@ -96,6 +96,7 @@ struct Reading {
   bool tags = false;      // asks for them, and there are any
   bool neighbours = true; // which of them speaks for a pixel is found out
   bool by_taps = false;   // of the history, through a sampler
+  bool relights = false;  // it, where light changes
 
   bool reads_anything() const { return kept.valid || kept.writes != 0; }
   bool key() const { return policy.needs_key(); } // what it keeps begins with the first frame
@@ -134,6 +135,13 @@ bool asks_neighbours(FrameGraph& graph, const TaaPolicy& policy, bool motion, bo
   return graph.needed(dilates && (motion || tests), {"depth of neighbours", why});
 }
 
+/// A history that no light makes wrong is not asked what fell on it.
+bool asks_light(FrameGraph& graph, const FrameContext& in, const TaaPolicy& policy, bool lit) {
+  const bool changes = lit && in.light_changes;
+  return policy.rejects(Reject::visibility) &&
+         graph.needed(changes, {"light of the history", lit ? "no light changes" : "nothing is lit"});
+}
+
 Reading reading_of(FrameGraph& graph, const FrameContext& in, const TaaInputs& inputs, const TaaSettings& taa,
                    const Kept& kept) {
   const HistoryFilter filter = filter_for(in, taa.policy.history);
@@ -147,7 +155,8 @@ Reading reading_of(FrameGraph& graph, const FrameContext& in, const TaaInputs& i
           .motion = inputs.motion.moves,
           .tags = tags,
           .neighbours = asks_neighbours(graph, taa.policy, inputs.motion.moves, tags),
-          .by_taps = filter == HistoryFilter::catmull_rom_9 || filter == HistoryFilter::catmull_rom_5};
+          .by_taps = filter == HistoryFilter::catmull_rom_9 || filter == HistoryFilter::catmull_rom_5,
+          .relights = asks_light(graph, in, taa.policy, inputs.gbuffer.lit)};
 }
 
 std::vector<Binding> reads_of_frame(const Reading& r, const TaaInputs& inputs) {
@@ -223,7 +232,8 @@ std::vector<Constant> constants_of(const FrameContext& in, const TaaSettings& ta
           uint32_t(r.neighbours && policy.dilation == Dilation::centre),
           uint32_t(policy.where),
           uint32_t(policy.fill),
-          uint32_t(policy.input)};
+          uint32_t(policy.input),
+          uint32_t(r.relights)};
 }
 
 } // namespace

@@ -80,6 +80,7 @@ SHARED_CONSTANT TAA_ASKS_NEIGHBOURS_ID = 16; // of a row without dilation, whom 
 SHARED_CONSTANT TAA_WHERE_ID = 17;
 SHARED_CONSTANT TAA_FILL_ID = 18;
 SHARED_CONSTANT TAA_INPUT_ID = 19;
+SHARED_CONSTANT TAA_RELIGHTS_ID = 20; // of a row that rejects by visibility: some light changes
 
 /// What a resolve writes beside its result.
 SHARED_CONSTANT TAA_WRITES_COUNT = 1;   // of the frames that a history holds

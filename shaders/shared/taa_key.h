@@ -59,9 +59,10 @@ SHARED_FUNCTION uint light_word(float light, bool changes) {
 /// `depth` reversed, at most 1; `object` as the G-buffer has it, `light` as the light pass; `zoom`: last frame's distance
 /// over this frame's, minus 1.
 SHARED_FUNCTION uint key_of(float depth, uint object, uint light, float zoom) {
-  uint far = floatBitsToUint(depth) >> KEY_DEPTH_IN_FLOAT; // 14 bits
-  uint nearer = uint(clamp(zoom / KEY_ZOOM_STEP + 0.5f, 0.0f, float(KEY_ZOOM_STEPS)));
-  return far << KEY_DEPTH_SHIFT | object >> OBJECT_KEYED_SHIFT << KEY_OBJECT_SHIFT | light << KEY_LIGHT_SHIFT | nearer;
+  uint rank = floatBitsToUint(depth) >> KEY_DEPTH_IN_FLOAT; // 14 bits
+  float steps = zoom > 0 ? zoom / KEY_ZOOM_STEP + 0.5f : 0; // 0 of what is no number, too
+  uint nearer = uint(min(steps, float(KEY_ZOOM_STEPS)));
+  return rank << KEY_DEPTH_SHIFT | object >> OBJECT_KEYED_SHIFT << KEY_OBJECT_SHIFT | light << KEY_LIGHT_SHIFT | nearer;
 }
 
 SHARED_END

@@ -43,16 +43,16 @@ void expect_same(const DemoState& state) {
 
 TEST(DemoCommand, SaysOnlyWhatDiffers) {
   DemoState state = default_demo_state();
-  EXPECT_EQ(command_of(state), "unghost capture --mode grand-tour -o unghost.png");
+  EXPECT_EQ(command_of(state), "unghost capture --mode unghost -o unghost.png");
   state.arrangement = Arrangement::difference;
-  EXPECT_EQ(command_of(state), "unghost compare --modes grand-tour,blend -o unghost.png");
+  EXPECT_EQ(command_of(state), "unghost compare --modes unghost,blend -o unghost.png");
   state.arrangement = Arrangement::single;
   state.scene = "my car.glb";
   state.rig = "pass";
   state.seed = 7;
   state.settings.view = View::motion;
   state.modes[state.mode].taa.alpha = 0.07f;
-  EXPECT_EQ(command_of(state), "unghost capture 'my car.glb' --mode grand-tour --rig pass --seed 7 --set "
+  EXPECT_EQ(command_of(state), "unghost capture 'my car.glb' --mode unghost --rig pass --seed 7 --set "
                                "alpha=0.07 --set view=motion -o unghost.png");
   expect_same(state);
 }
@@ -100,7 +100,7 @@ TEST(DemoCommand, LeavesOutWhatHasNoEffect) {
   DemoState state = default_demo_state();
   TaaSettings& taa = state.modes[state.mode].taa;
   taa.gamma = 3; // without a variance
-  EXPECT_EQ(command_of(state), "unghost capture --mode grand-tour -o unghost.png");
+  EXPECT_EQ(command_of(state), "unghost capture --mode unghost -o unghost.png");
   taa.policy.rectify = Rectify::variance_clip;
   expect_same(state);
   EXPECT_NE(command_of(state).find("gamma=3"), std::string::npos);
@@ -113,7 +113,7 @@ TEST(DemoCommand, ComparesModesThatAreChangedAlike) {
   for (const size_t mode : {state.mode, state.compared[1]}) state.modes[mode].taa.alpha = 0.2f;
   expect_same(state); // off has no alpha
   EXPECT_EQ(command_of(state),
-            "unghost compare --modes grand-tour,off,uncharted --set alpha=0.2 -o unghost.png");
+            "unghost compare --modes unghost,off,uncharted --set alpha=0.2 -o unghost.png");
 }
 
 TEST(DemoCommand, SaysWhereNoLineDrawsTheSame) {

@@ -202,7 +202,7 @@ TEST_F(DemoPanel, ItsFirstKeysFitAndDoWhatTheySay) {
   EXPECT_EQ(modes_seen(state), (std::vector<size_t>{first.mode, place_of_mode(state, "blend")}));
   press(state, GLFW_KEY_1);
   EXPECT_EQ(shown(state).name, "blend");
-  press(state, GLFW_KEY_6);
+  press(state, GLFW_KEY_0);
   EXPECT_EQ(state.mode, first.mode);
   press(state, GLFW_KEY_V), press(state, GLFW_KEY_H), press(state, GLFW_KEY_U);
   EXPECT_TRUE(state.magnifier.shown && state.keys && state.hidden);

@@ -79,6 +79,12 @@ TEST_F(ReadmeFigures, AreThoseOfTheCommittedReport) {
         ++rows;
       }
   EXPECT_EQ(rows, taa_modes().size());
+  const auto ghosting = [&](const char* mode) { return cell(of("drive"), mode, "ghosting", 3); };
+  EXPECT_NE(text_of(UNGHOST_README)
+                .find("`blend` (ghosting " + ghosting("blend") + "), `dop32-var` (" + ghosting("dop32-var") +
+                      ") and `unghost` (" + ghosting("unghost") + ")"),
+            std::string::npos)
+      << "below the first picture";
   const Timing& timing = of("drive").timing.value();
   EXPECT_NE(
       text_of(UNGHOST_README).find("copies: " + number(timing.motion_ms / timing.copy_ms, 1) + "\nof them"),

@@ -27,7 +27,7 @@ DemoState start() {
 
 const Control controls_of_gdk_sample[] = {
     {"Enter", "A", GLFW_KEY_ENTER, GLFW_GAMEPAD_BUTTON_A,
-     [](DemoState& s) { s.mode = place_of_mode(s, "off"); }},
+     [](DemoState& s) { s.shown_before = s.mode, s.mode = place_of_mode(s, "off"); }},
     {"Z", "B", GLFW_KEY_Z, GLFW_GAMEPAD_BUTTON_B,
      [](DemoState& s) { shown(s).taa.policy.dilation = Dilation::depth_edges; }},
     {"X", "X", GLFW_KEY_X, GLFW_GAMEPAD_BUTTON_X,

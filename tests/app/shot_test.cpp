@@ -123,7 +123,7 @@ TEST(Shot, PlainSettingsFollowTheRuleOfSet) {
   EXPECT_EQ(shot.modes[0].taa, settings_for_mode("off").taa);
   EXPECT_EQ(shot.modes[1].taa.policy.history, HistoryFilter::catmull_rom);
   EXPECT_EQ(shot.modes[1].taa.near_m, TaaSettings{}.near_m);
-  EXPECT_EQ(shot.modes.back().taa.near_m, 4);
+  EXPECT_EQ(shot.modes[2].taa.near_m, 4);
   const std::string refused = refusal_of({"compare", "--modes", "off,blend", "--settings", file.c_str()});
   EXPECT_NE(refused.find("sharp.json: near=4 has no effect"), std::string::npos) << refused;
   EXPECT_EQ(shot_of({"capture", "--mode", "off", "--settings", file.c_str(), "--set", "blend=constant",

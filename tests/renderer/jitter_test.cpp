@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "renderer/geometry_sharing.h"
 #include "renderer/settings.h"
 #include "renderer/view.h"
 
@@ -41,6 +42,23 @@ TEST(Jitters, StayInTheirPixelAboutItsMiddleAndRepeat) {
     // Halton's few points are as published
     EXPECT_LT(glm::length(mean), sequence == Jitter::r2_10 ? 1e-9 : 0.12) << answer.name;
   }
+}
+
+TEST(Jitters, FillLessWhileTheCameraMoves) {
+  ModeRun less{"less", settings_for_mode("rgb").taa}, all = less;
+  less.taa.jitter_scale = 0.8f, less.taa.jitter_moving = 0.5f;
+  all.taa.jitter_scale = 0.8f;
+  FrameInput input;
+  input.index = 3, input.modes = {less, all};
+  EXPECT_EQ(jitter_of(less.taa, input), jitter_of(all.taa, input));
+  EXPECT_EQ(share_geometries(input).settings.size(), 1u);
+  input.now.eye.x += 1e-9;
+  EXPECT_EQ(jitter_of(less.taa, input), 0.5 * jitter_of(all.taa, input));
+  EXPECT_NE(jitter_of(less.taa, input), glm::dvec2(0));
+  EXPECT_EQ(share_geometries(input).settings.size(), 2u);
+  input.jitter_px = glm::dvec2(0.25, 0);
+  EXPECT_EQ(jitter_of(less.taa, input), glm::dvec2(0.25, 0));
+  EXPECT_EQ(share_geometries(input).settings.size(), 1u);
 }
 
 } // namespace

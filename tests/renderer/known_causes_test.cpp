@@ -1,7 +1,7 @@
 // Histories that are given up, or lit anew, for causes that the renderer knows.
 #include "shaders/shared/taa_key.h"
-#include "tests/renderer/known_causes.h"
 #include "tests/renderer/resolve_bench.h"
+#include "tests/renderer/studio.h"
 
 namespace unghost {
 namespace {
@@ -19,7 +19,7 @@ protected:
 };
 
 ModeRun without(Reject test) {
-  ModeRun run = known_causes(Where::unknown);
+  ModeRun run = run_of("unghost");
   run.taa.policy.reject = Reject(uint32_t(run.taa.policy.reject) & ~uint32_t(test));
   return run;
 }
@@ -47,7 +47,7 @@ TEST_F(KnownCauses, AHistoryIsLitAnewWhereAShadowFallsOrGoes) {
     std::vector<Inputs> frames(20, lit(before));
     frames.push_back(lit(after));
     const float ghost = albedo * (before - after);
-    const float left = last_of(frames, known_causes(Where::unknown)) - albedo * after;
+    const float left = last_of(frames, run_of("unghost")) - albedo * after;
     EXPECT_LT(std::abs(left / ghost), 0.03) << before << " to " << after; // of what steps of light leave
     const float kept = last_of(frames, without(Reject::visibility)) - albedo * after;
     EXPECT_GT(kept / ghost, 0.8) << "the ghost is there without the test";
@@ -57,7 +57,7 @@ TEST_F(KnownCauses, AHistoryIsLitAnewWhereAShadowFallsOrGoes) {
 TEST_F(KnownCauses, WhatAnotherObjectLeftIsGivenUp) {
   std::vector<Inputs> frames(20, covered_by(object(7, 1), 0.9f));
   frames.push_back(covered_by(object(8, 20), 0.1f));
-  EXPECT_NEAR(last_of(frames, known_causes(Where::unknown)), 0.1f, 1e-3);
+  EXPECT_NEAR(last_of(frames, run_of("unghost")), 0.1f, 1e-3);
   EXPECT_GT(last_of(frames, without(Reject::moved_object)), 0.3f) << "the ghost is there without the test";
 }
 
@@ -65,7 +65,7 @@ TEST_F(KnownCauses, IdsThatCollideCostTheRejection) {
   std::vector<Inputs> frames(20, covered_by(object(7, 20), 0.9f));
   frames.push_back(covered_by(object(8, 20), 0.1f));
   const ModeRun without_test = without(Reject::moved_object);
-  EXPECT_EQ(last_of(frames, known_causes(Where::unknown)), last_of(frames, without_test));
+  EXPECT_EQ(last_of(frames, run_of("unghost")), last_of(frames, without_test));
 }
 
 } // namespace

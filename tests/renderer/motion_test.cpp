@@ -17,9 +17,7 @@ MotionDeviation deviation(Studio& studio, FrameInput input, bool broken = false)
   if (broken)
     for (const size_t image : {0, 3})
       for (float& value : result.delivered[image].image.values) value = NAN;
-  const TaaSettings& taa = input.modes[0].taa;
-  return motion_deviation(studio.renderer.scene(), input,
-                          jitter_offset(taa.policy.jitter, input.index) * double(taa.jitter_scale),
+  return motion_deviation(studio.renderer.scene(), input, jitter_of(input.modes[0].taa, input),
                           {.motion = result.delivered[0].image,
                            .depth = result.delivered[1].image,
                            .object = result.delivered[2].image,

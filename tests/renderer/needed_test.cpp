@@ -5,7 +5,6 @@
 
 #include "renderer/view.h"
 #include "tests/renderer/box_scene.h"
-#include "tests/renderer/known_causes.h"
 #include "tests/renderer/studio.h"
 
 namespace unghost {
@@ -163,10 +162,25 @@ TEST_F(Needed, WithoutASunThereIsNoShadowMap) {
   EXPECT_LE(dark.frame.image_bytes + (16u << 20), lit.frame.image_bytes);
   EXPECT_LT(dark.pipeline("light.comp").instructions, lit.pipeline("light.comp").instructions);
   EXPECT_LT(dark.pipeline("light.comp").fetches, lit.pipeline("light.comp").fetches);
+  for (const View view : {View::colour, View::light_channel})
+    expect_same(studio->renderer, "drive", {"unghost"}, [&](FrameInput& input) {
+      without_sun(input);
+      input.settings.view = view;
+    });
   expect_same(studio->renderer, "pass", {"off"}, [](FrameInput& input) {
     without_sun(input);
     input.settings.view = View::shadow; // which it still throws
   });
+}
+
+TEST_F(Needed, LightThatStaysIsNotFollowed) {
+  const Drawn stays = expect_same(studio->renderer, "rotate", {"unghost"}),
+              changes = expect_same(studio->renderer, "pass", {"unghost"});
+  EXPECT_EQ(stays.why_without("light of the history"), "no light changes");
+  EXPECT_EQ(changes.why_without("light of the history"), "");
+  EXPECT_LT(stays.pipeline("taa.comp").instructions, changes.pipeline("taa.comp").instructions);
+  Renderer unlit = renderer_of(box_of({.unlit = true}));
+  EXPECT_EQ(expect_same(unlit, "rotate", {"unghost"}).why_without("light of the history"), "nothing is lit");
 }
 
 TEST_F(Needed, OffHasNoHistoryNoJitterAndNoMotion) {
@@ -238,7 +252,7 @@ TEST_F(KeptAll, TheNaiveResolveAndWhatNoRowHasLookTheSame) {
 TEST_F(KeptAll, KnownCausesLookTheSame) {
   for (const char* rig : {"still", "drive", "pass"})
     expect_same(studio->renderer, rig, {"rgb", "rgb"}, [](FrameInput& input) {
-      input.modes = {known_causes(Where::unknown), known_causes(Where::everywhere)};
+      input.modes = {run_of("unghost"), run_of("unghost-safe")};
     });
 }
 

@@ -2,7 +2,6 @@
 #include <algorithm>
 
 #include "tests/renderer/box_scene.h"
-#include "tests/renderer/known_causes.h"
 #include "tests/renderer/studio.h"
 
 namespace unghost {
@@ -31,7 +30,7 @@ protected:
   Colours seen(Renderer& renderer, const char* rig, View view) {
     Colours colours;
     for (int index = 0; index < 2; ++index) {
-      FrameInput input = studio->frame(rig, index, {known_causes(Where::unknown)}, {{Output::display}});
+      FrameInput input = studio->frame(rig, index, {run_of("unghost")}, {{Output::display}});
       input.settings.view = view;
       colours = colours_of(renderer.render(input).delivered[0].picture);
     }

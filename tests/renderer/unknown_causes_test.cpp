@@ -1,6 +1,5 @@
 // What no key tells of: a lamp that the light channel does not know, and a sprite that has no id. What
 // unghost-safe leaves of such a ghost is no more than what a clip alone does.
-#include "tests/renderer/known_causes.h"
 #include "tests/renderer/resolve_bench.h"
 #include "tests/renderer/studio.h"
 
@@ -68,13 +67,13 @@ protected:
   }
   /// By how much more than a clip alone the safe row leaves.
   double over_a_clip(const Film& film) {
-    return trail(film, known_causes(Where::everywhere)) / trail(film, run_of("rgb"));
+    return trail(film, run_of("unghost-safe")) / trail(film, run_of("rgb"));
   }
 };
 
 TEST_F(UnknownCauses, ASpriteWithoutAnIdLeavesNoMoreThanAClipDoes) {
   EXPECT_LT(over_a_clip(sprite()), 1.1);
-  EXPECT_GT(trail(sprite(), known_causes(Where::unknown)), 0.5) << "which is not so where nothing bounds it";
+  EXPECT_GT(trail(sprite(), run_of("unghost")), 0.5) << "which is not so where nothing bounds it";
 }
 
 TEST_F(UnknownCauses, ALampThatNoChannelKnowsLeavesNoMoreThanAClipDoes) {

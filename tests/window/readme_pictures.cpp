@@ -39,9 +39,9 @@ void take(const char* config, const Words& keys, const fs::path& file) {
 }
 
 void take_all(const fs::path& folder) {
-  take(R"({"shown": "blend", "compared": ["grand-tour"]})", {}, folder / "window.png");
-  take(R"({"shown": "blend", "compared": ["grand-tour"], "magnified": [0.5, 0.78], "panel": false})",
-       {"b", "v"}, folder / "split.png");
+  take(R"({"shown": "blend", "compared": ["unghost"]})", {}, folder / "window.png");
+  take(R"({"shown": "blend", "compared": ["unghost"], "magnified": [0.5, 0.78], "panel": false})", {"b", "v"},
+       folder / "split.png");
 }
 
 } // namespace

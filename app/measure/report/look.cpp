@@ -10,8 +10,9 @@
 namespace unghost {
 namespace {
 
-constexpr std::array<std::string_view, 7> family_names = {
-    "no rectification", "two frames", "box", "box and rejection", "variance", "polytope", "other"};
+constexpr std::array<std::string_view, 8> family_names = {"no rectification",  "two frames", "box",
+                                                          "box and rejection", "variance",   "polytope",
+                                                          "known causes",      "other"};
 
 int family_of(const nlohmann::json& settings) {
   const auto word = [&](const char* name) {
@@ -20,12 +21,14 @@ int family_of(const nlohmann::json& settings) {
   };
   const std::string rectify = word("rectify"), reject = word("reject");
   if (word("keeps") == "input") return 1;
+  if (reject.find("moved-object") != std::string::npos || reject.find("visibility") != std::string::npos)
+    return 6;
   if (rectify == "none") return 0;
   if (rectify.starts_with("dop")) return 5;
   if (rectify.starts_with("variance")) return 4;
   // what every mode gives up aside
   if (rectify.starts_with("box")) return reject == "off-screen" || reject == "nothing" ? 2 : 3;
-  return 6;
+  return 7;
 }
 
 } // namespace

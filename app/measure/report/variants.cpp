@@ -4,6 +4,7 @@
 #include <cmath>
 #include <set>
 
+#include "app/measure/report/ablation.h"
 #include "app/measure/report/html.h"
 #include "app/measure/report/sections.h"
 
@@ -11,14 +12,6 @@ namespace unghost {
 namespace {
 
 std::string base_of(const std::string& mode) { return mode.substr(0, mode.find(':')); }
-
-/// As `--set` takes it, with commas between several.
-std::string change_of(const std::string& mode) {
-  std::string text = mode.substr(mode.find(':') + 1);
-  std::ranges::replace(text, '+', ',');
-  for (size_t at = 0; (at = text.find(':', at)) != std::string::npos;) text.replace(at, 1, ", ");
-  return text;
-}
 
 const MeasuredMode* row_of(const Measured& m, const std::string& mode) {
   const auto row = std::ranges::find(m.rows, mode, &MeasuredMode::mode);
@@ -75,6 +68,13 @@ std::string table_of(const Results& results, const std::string& base,
 
 } // namespace
 
+std::string change_of(const std::string& mode) {
+  std::string text = mode.substr(mode.find(':') + 1);
+  std::ranges::replace(text, '+', ',');
+  for (size_t at = 0; (at = text.find(':', at)) != std::string::npos;) text.replace(at, 1, ", ");
+  return text;
+}
+
 bool is_variant(const Measured& m, const std::string& mode) {
   return mode.find(':') != std::string::npos && row_of(m, base_of(mode)) != nullptr;
 }
@@ -102,8 +102,8 @@ std::string variants_section(const Results& results) {
   std::string html;
   for (const std::string& base : bases) {
     const std::vector<std::string> variants = variants_of(results, base);
-    html += "<h3>" + escaped(base) +
-            "</h3>\n<div class=\"wide\" tabindex=\"0\" role=\"region\" aria-label=\"" + escaped(base) +
+    html += "<h3>" + escaped(base) + "</h3>\n" + parts_explained(variants) +
+            "<div class=\"wide\" tabindex=\"0\" role=\"region\" aria-label=\"" + escaped(base) +
             ", one part changed\">";
     for (const FigureKind& kind : figure_kinds())
       if (kind.shown) html += table_of(results, base, variants, kind);

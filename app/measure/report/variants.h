@@ -10,6 +10,8 @@ namespace unghost {
 
 /// Whether `mode` is another one of `m` with other settings.
 bool is_variant(const Measured& m, const std::string& mode);
+/// What it changes, as `--set` takes it, with commas between several.
+std::string change_of(const std::string& mode);
 /// All else.
 Results without_variants(Results results);
 /// By changed row, a table a figure: how much more or less of it there is with each change, in each case.

@@ -22,8 +22,6 @@ const Excuse* excuse_for(std::string_view mode, std::string_view row) {
   static constexpr Excuse excuses[] = {
       {"blend", "events", frames_after_event,
        "it has nothing against ghosts: they last as long as its average"},
-      {"where=unknown", "events", frames_after_event,
-       "what it does not bound, a test that knows the cause has to reject"},
       {"store=plain", "constant", 0.1, "half floats that are cut off stall an average short of its end"},
       {"store=plain", "lookup", 0.1, "half floats that are cut off are up to half a unit too dark"},
   };

@@ -55,9 +55,7 @@ MotionDeviation deviation(StabilityBench& bench, const Extreme& extreme, double 
   input.modes = {{.name = "blend", .taa = settings_for_mode("blend").taa}};
   input.wanted = {{Output::motion}, {Output::depth}, {Output::object}, {Output::previous_depth}};
   const FrameResult result = renderer.render(input);
-  const TaaSettings& taa = input.modes[0].taa;
-  return motion_deviation(renderer.scene(), input,
-                          jitter_offset(taa.policy.jitter, input.index) * double(taa.jitter_scale),
+  return motion_deviation(renderer.scene(), input, jitter_of(input.modes[0].taa, input),
                           {.motion = result.delivered[0].image,
                            .depth = result.delivered[1].image,
                            .object = result.delivered[2].image,

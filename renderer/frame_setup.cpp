@@ -221,10 +221,10 @@ FrameSetup describe_frame(FrameGraph& graph, const FrameInput& given, const Scen
       {.swept_shadows = shadows.swept, .map_place = map_place, .lamps_moved = objects.lamps_moved},
       before.light);
 
-  const SharedGeometries shared = share_geometries(input);
+  const SharedGeometries shared = share_geometries(given); // what was cut moved no less
   FrameSetup setup{.contexts = {}, .geometry_of = shared.of_mode};
   for (const TaaSettings* taa : shared.settings) {
-    const glm::dvec2 jitter_px = jitter_of(*taa, input);
+    const glm::dvec2 jitter_px = jitter_of(*taa, given);
     describe_camera(constants, input, jitter_px);
     const bool removed = taa->texture_jitter == TextureJitter::removed;
     const glm::dvec2 shift_px = removed ? jitter_px : glm::dvec2(0);

@@ -100,7 +100,8 @@ std::string_view summary_of(View view) {
   case View::history:
     return "The history as it was mixed with the current frame.";
   case View::age:
-    return "How many frames a pixel holds: black none, white 63 or more, on a logarithmic scale.";
+    return "How many frames a pixel holds: black none, white 63 or more, on a logarithmic scale; modes that "
+           "know causes count to 16.";
   case View::volume:
     return "How large the colour box of the 3x3 neighbourhood is: white lets anything pass.";
   case View::light_channel:

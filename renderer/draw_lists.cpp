@@ -46,6 +46,25 @@ VkRect2D texels_of(const Bounds& box) {
   return {{int32_t(low.x), int32_t(low.y)}, {uint32_t(high.x - low.x), uint32_t(high.y - low.y)}};
 }
 
+/// `seen_by_sun`: by draw, whether it may throw a shadow into the map.
+MovingShadows moving_shadows(const GpuScene& gpu, const PlacedObjects& objects,
+                             const glm::dmat4& shadow_clip_from_eye,
+                             const std::vector<uint8_t>& seen_by_sun) {
+  Bounds now, swept; // in the map
+  for (size_t i = 0; i < gpu.draws.size(); ++i) {
+    const Draw& draw = gpu.draws[i];
+    if (objects.moved[draw.object] == 0 || !casts_shadow(draw)) continue;
+    const glm::dmat4 before = objects.eye_from_object_before(draw.object);
+    for (const glm::dvec4& corner : corners_of(draw.bounds)) {
+      const glm::dvec3 at(shadow_clip_from_eye * objects.eye_from_object[draw.object] * corner);
+      swept.add(at);
+      swept.add(glm::dvec3(shadow_clip_from_eye * before * corner));
+      if (seen_by_sun[i] != 0) now.add(at);
+    }
+  }
+  return {.now = texels_of(now), .swept = texels_of(swept)};
+}
+
 /// Of draws and their distances.
 void put_in_order(FrameContext& in, std::vector<std::pair<double, const Draw*>> draws,
                   const PlacedObjects& objects) {
@@ -73,7 +92,6 @@ MovingShadows list_draws(FrameGraph& graph, FrameContext& in, const FrameConstan
   // Culling does not see the jitter: it could move things by half a pixel.
   const glm::dvec2 side = 1.0 + 1.0 / glm::dvec2(constants.size_px);
   std::vector<uint8_t> seen, seen_by_sun;
-  Bounds moving, swept; // in the map
   for (const Draw& draw : gpu.draws) {
     const glm::dmat4& eye_from_object = objects.eye_from_object[draw.object];
     const bool moved = objects.moved[draw.object] != 0;
@@ -82,15 +100,7 @@ MovingShadows list_draws(FrameGraph& graph, FrameContext& in, const FrameConstan
                           may_be_seen(draw.bounds, shadow_clip_from_eye * eye_from_object));
     in.in_view.anything |= seen.back() != 0;
     in.in_view.anything_moved |= moved && seen.back() != 0;
-    if (!moved || !casts_shadow(draw)) continue;
-    const glm::dmat4 before = objects.eye_from_object_before(draw.object);
-    for (const glm::dvec4& corner : corners_of(draw.bounds)) {
-      const glm::dvec3 at(shadow_clip_from_eye * eye_from_object * corner);
-      swept.add(at);
-      swept.add(glm::dvec3(shadow_clip_from_eye * before * corner));
-      if (seen_by_sun.back() != 0) moving.add(at);
-    }
-    in.in_view.moving_casters |= seen_by_sun.back() != 0;
+    in.in_view.moving_casters |= moved && casts_shadow(draw) && seen_by_sun.back() != 0;
   }
   const auto needed = [&](const std::vector<uint8_t>& within, const char* what, const char* where) {
     const auto beyond = std::ranges::count(within, 0);
@@ -107,7 +117,7 @@ MovingShadows list_draws(FrameGraph& graph, FrameContext& in, const FrameConstan
     if (casts_shadow(draw) && (all_cast || seen_by_sun[i] != 0)) in.casters.push_back(&draw);
   }
   put_in_order(in, std::move(by_distance), objects);
-  return {.now = texels_of(moving), .swept = texels_of(swept)};
+  return moving_shadows(gpu, objects, shadow_clip_from_eye, seen_by_sun);
 }
 
 } // namespace unghost

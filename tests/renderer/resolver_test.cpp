@@ -73,6 +73,8 @@ std::vector<ModeRun> answers_by_one() {
       modes.push_back({std::string(row.name) + "=" + answer.name, settings.taa});
     }
   }
+  base.taa.policy.reject = Reject::velocity, base.taa.policy.fill = Fill::plain;
+  modes.push_back({"velocity, plain", base.taa});
   return modes;
 }
 

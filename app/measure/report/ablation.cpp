@@ -50,13 +50,10 @@ std::string parts_explained(std::span<const std::string> names) {
   }
   if (list.empty()) return list;
   return "<p>A renderer does not have to guess from colours whether a history is wrong: it knows each "
-         "pixel's object, "
-         "depth, motion and light, this frame and last. <code>unghost</code> gives a history up, lights it "
-         "anew or "
-         "trusts it less for causes that are known, and bounds it by colours where none is. Below are its "
-         "parts, by "
-         "the setting that takes each of them out, and then what is more or less of each figure without "
-         "it.</p>\n"
+         "pixel's object, depth, motion and light, this frame and last. <code>unghost</code> gives a history "
+         "up, lights it anew or trusts it less for causes that are known, and bounds it by colours where "
+         "none is. Below are its parts, by the setting that takes each of them out, and then what is more or "
+         "less of each figure without it.</p>\n"
          "<dl class=\"parts\">\n" +
          list + "</dl>\n";
 }

@@ -23,6 +23,10 @@ void check_words(const CommandLine& line) {
     if (given)
       throw WrongWords(std::string(word) + " does not go with --replay: " + line.replay.string() +
                        " says it");
+  for (const std::string& name : named_modes(line))
+    if (name.find(':') != std::string::npos)
+      throw WrongWords(name + " does not go with --replay: " + line.replay.string() +
+                       " says what each mode is set to, and --set what all of them are");
 }
 
 /// Returns those that have no effect on what is shown.

@@ -44,18 +44,17 @@ void take_resolve(ProbedPixel& pixel, const std::vector<std::byte>& texels,
                   const std::array<glm::vec2, 9>& motions) {
   const auto found = element<glm::vec4>(texels, TAA_PROBE_FOUND),
              bounded = element<glm::vec4>(texels, TAA_PROBE_BOUNDED),
-             why = element<glm::vec4>(texels, TAA_PROBE_WHY);
+             why = element<glm::vec4>(texels, TAA_PROBE_WHY),
+             mixed_in = element<glm::vec4>(texels, TAA_PROBE_INPUT);
   pixel.weight = bounded.w, pixel.count = why.z;
-  const uint32_t reasons = uint32_t(why.y), kind = reasons >> TAA_CLASS_SHIFT;
-  pixel.causes = Reject(reasons & ((1u << TAA_CLASS_SHIFT) - 1));
-  pixel.mixed_in = glm::vec3(element<glm::vec4>(texels, TAA_PROBE_INPUT));
+  pixel.causes = Reject(uint32_t(why.y) & ((1u << TAA_CLASS_SHIFT) - 1));
+  pixel.mixed_in = glm::vec3(mixed_in);
   if (why.w == 0) return;
   const auto speaker = size_t(found.w);
   pixel.history = {.found = glm::vec3(found),
                    .bounded = glm::vec3(bounded),
                    .moved = why.x,
-                   .rectified = pixel.mode.taa.policy.where == Where::everywhere ||
-                                (kind & TAA_CLASS_UNKNOWN) != 0 || has(pixel.causes, Reject::visibility),
+                   .rectified = mixed_in.w != 0,
                    .speaker = speaker,
                    .at_px = glm::dvec2(pixel.input.x, pixel.input.y) + 0.5 + glm::dvec2(motions[speaker])};
 }

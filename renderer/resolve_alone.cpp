@@ -150,6 +150,7 @@ struct ResolveAlone::Parts {
     constants.size_px = {inputs.width, inputs.height};
     constants.inverse_size_px = 1.0f / constants.size_px;
     constants.near_plane = near_plane;
+    constants.jitter_px = inputs.jitter_px;
     const FrameContext in{.scene = scene,
                           .modes = runs,
                           .size = {inputs.width, inputs.height},

@@ -46,8 +46,11 @@ float fast_share(Reprojected r) { return r.known ? min(dot(r.motion, r.motion) *
 /// How much of the frame about the pixel's middle goes into the average, of that and of its sample.
 float centred_share(Reprojected r) { return mix(push.centred_rest, 1, fast_share(r)); }
 
-/// Whether a history may be wrong though no cause gives it up: none is known, or it was lit anew as if it were matt.
-bool needs_bounds(Speaker speaker, Reprojected r) { return is_unknown(speaker) || (r.causes & reject_visibility) != 0; }
+/// Whether colours bound a history: any, or one that may be wrong though no cause gives it up, for none is known or it was lit
+/// anew as if it were matt.
+bool needs_bounds(Speaker speaker, uint causes) {
+  return where == where_everywhere || is_unknown(speaker) || (causes & reject_visibility) != 0;
+}
 
 /// How much each of the four pixels that a history comes from weighs there: x first, then y.
 vec4 four_shares(vec2 at) {

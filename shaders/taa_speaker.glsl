@@ -51,7 +51,7 @@ bool is_unknown(Speaker speaker) {
 
 uint class_of(Speaker speaker) {
   return (is_glossy(speaker) ? TAA_CLASS_GLOSSY : 0) | (speaker.around.mixed ? TAA_CLASS_MIXED : 0) |
-         (speaker.around.moving ? TAA_CLASS_MOVING : 0) | (is_unknown(speaker) ? TAA_CLASS_UNKNOWN : 0);
+         (speaker.around.moving ? TAA_CLASS_MOVING : 0);
 }
 
 #endif

@@ -42,7 +42,8 @@ TEST_F(ReplayWords, FramesAndModesThatItDoesNotHaveAreRefused) {
       {"capture", {"--frames", "6"}, "shows blend, dop32, off in frame 5 of its frames: --mode says which"},
       {"capture", {"--mode", "bland"}, "did you mean 'blend'?"},
       {"compare", {}, "shows blend in frame 8 of its frames: --modes says which"},
-      {"compare", {"--modes", "blend,blend"}, "more than once"}};
+      {"compare", {"--modes", "blend,blend"}, "more than once"},
+      {"compare", {"--modes", "off,blend:alpha=0.2"}, "blend:alpha=0.2 does not go with --replay"}};
   for (const auto& [command, more, sentence] : wrong) {
     const Outcome run = replayed(command, more);
     EXPECT_EQ(run.exit, int(Exit::wrong_words)) << sentence;

@@ -84,6 +84,7 @@ Inputs random_inputs(std::mt19937& random) {
   Inputs inputs(13, 9);
   const bool extreme = random() % 2 == 0;
   inputs.moved_ids = uint32_t(random() & random());
+  inputs.jitter_px = glm::vec2(int(random() % 1001) - 500, int(random() % 1001) - 500) / 1000.0f;
   for (size_t i = 0; i < inputs.colours.size(); ++i) {
     for (int c = 0; c < 3; ++c) inputs.colours[i][c] = any_number(random, extreme);
     const float reach = std::exp2(float(random() % 12) - 6);

@@ -169,6 +169,26 @@ std::vector<uint8_t> changes_of(std::vector<TaaPolicy>& policies, const std::vec
   return changed;
 }
 
+/// The frame once for each jitter. `given` says how all moves, of which a cut is nothing; `input` what is
+/// there of the frame before.
+FrameSetup by_jitter(FrameGraph& graph, const FrameInput& given, const FrameInput& input,
+                     const FrameContext& in, FrameConstants constants, FrameMemory& memory) {
+  const SharedGeometries shared = share_geometries(given);
+  FrameSetup setup{.contexts = {}, .geometry_of = shared.of_mode};
+  for (const TaaSettings* taa : shared.settings) {
+    const glm::dvec2 jitter_px = jitter_of(*taa, given);
+    describe_camera(constants, input, jitter_px);
+    const bool removed = taa->texture_jitter == TextureJitter::removed;
+    const glm::dvec2 shift_px = removed ? jitter_px : glm::dvec2(0);
+    constants.texture_jitter_px = shift_px;
+    constants.mip_bias = taa->mip_bias;
+    FrameContext& context = setup.contexts.emplace_back(in);
+    context.constants = memory.push_value(constants);
+    context.more_features |= features_of_jitter(graph, *taa, shift_px);
+  }
+  return setup;
+}
+
 } // namespace
 
 FrameSetup describe_frame(FrameGraph& graph, const FrameInput& given, const Scene& scene, const GpuScene& gpu,
@@ -220,21 +240,7 @@ FrameSetup describe_frame(FrameGraph& graph, const FrameInput& given, const Scen
       constants, input,
       {.swept_shadows = shadows.swept, .map_place = map_place, .lamps_moved = objects.lamps_moved},
       before.light);
-
-  const SharedGeometries shared = share_geometries(given); // what was cut moved no less
-  FrameSetup setup{.contexts = {}, .geometry_of = shared.of_mode};
-  for (const TaaSettings* taa : shared.settings) {
-    const glm::dvec2 jitter_px = jitter_of(*taa, given);
-    describe_camera(constants, input, jitter_px);
-    const bool removed = taa->texture_jitter == TextureJitter::removed;
-    const glm::dvec2 shift_px = removed ? jitter_px : glm::dvec2(0);
-    constants.texture_jitter_px = shift_px;
-    constants.mip_bias = taa->mip_bias;
-    in.constants = memory.push_value(constants);
-    setup.contexts.push_back(in);
-    setup.contexts.back().more_features |= features_of_jitter(graph, *taa, shift_px);
-  }
-  return setup;
+  return by_jitter(graph, given, input, in, constants, memory);
 }
 
 } // namespace unghost

@@ -25,23 +25,26 @@ void save(const DemoRun& run, const fs::path& file) {
   write_file(file, encode_png(image, "{}"));
 }
 
+/// A key, and what the program does at it.
+using Keys = std::vector<std::pair<std::string, std::string>>;
+
 /// A window that is kept as `config` says, after these keys.
-void take(const char* config, const Words& keys, const fs::path& file) {
+void take(const char* config, const Keys& keys, const fs::path& file) {
   const Desk desk(size);
   const fs::path folder = desk.home() / "config" / "unghost";
   fs::create_directories(folder);
   std::ofstream(folder / "config.json") << config;
   DemoRun run(desk, {(folder_of_this_program() / "unghost").string(), "demo", "--json", "--rig", "drive",
                      "--size", "960x540"});
-  for (const std::string& key : keys) run.window().press(key);
+  for (const auto& [key, action] : keys) run.press(key, action);
   save(run, file);
   run.leave();
 }
 
 void take_all(const fs::path& folder) {
   take(R"({"shown": "blend", "compared": ["unghost"]})", {}, folder / "window.png");
-  take(R"({"shown": "blend", "compared": ["unghost"], "magnified": [0.5, 0.78], "panel": false})", {"b", "v"},
-       folder / "split.png");
+  take(R"({"shown": "blend", "compared": ["unghost"], "magnified": [0.5, 0.78], "panel": false})",
+       {{"b", "comparison"}, {"v", "magnifier"}}, folder / "split.png");
 }
 
 } // namespace

@@ -176,7 +176,8 @@ json stillness_json(const Film& film, const Shot& shot) {
   }
   if (!change.empty()) return {{"skippable", false}, {"because", change}};
   const std::optional<uint32_t> settled = frames_until_settled(shot.modes.front().taa);
-  if (!settled) return {{"skippable", false}, {"because", "a history that is clipped flickers for ever"}};
+  if (!settled)
+    return {{"skippable", false}, {"because", "a history that is clipped everywhere flickers for ever"}};
   return {{"skippable", true}, {"after_frames", *settled}};
 }
 

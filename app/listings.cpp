@@ -108,8 +108,8 @@ std::string_view summary_of(View view) {
     return "How much light arrives, as modes that know causes are told; orange where it may be another than "
            "last frame's.";
   case View::pixel_class:
-    return "What modes that know causes take a pixel for: plain grey, glossy blue, mixed yellow, moving "
-           "green, mixed and moving red.";
+    return "What modes that know causes take a pixel for: plain grey, glossy blue where anything moves, "
+           "mixed yellow, moving green, mixed and moving red.";
   }
   return {};
 }

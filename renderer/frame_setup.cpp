@@ -240,6 +240,8 @@ FrameSetup describe_frame(FrameGraph& graph, const FrameInput& given, const Scen
       constants, input,
       {.swept_shadows = shadows.swept, .map_place = map_place, .lamps_moved = objects.lamps_moved},
       before.light);
+  in.mirrors_change = in.camera_moved || in.moved_ids != 0 || in.light_changes;
+  constants.mirrors_change = in.mirrors_change;
   return by_jitter(graph, given, input, in, constants, memory);
 }
 

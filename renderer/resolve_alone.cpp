@@ -158,6 +158,7 @@ struct ResolveAlone::Parts {
                           .cut = cut,
                           .constants = runner.memory().push_value(constants),
                           .light_changes = true,
+                          .mirrors_change = true,
                           .moved_ids = inputs.moved_ids,
                           .policy_changed = std::vector<uint8_t>(runs.size(), cut),
                           .tagged = {.deepest_m = 8, .length_m = 5}};

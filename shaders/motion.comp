@@ -51,6 +51,7 @@ void main() {
   }
   if (keeps_key) {
     uint object = has_surfaces ? texelFetch(object_map, pixel, 0).r : 0;
+    if (frame.mirrors_change == 0) object &= ~OBJECT_GLOSSY;
     uint light = has_irradiance ? texelFetch(irradiance_map, pixel, 0).r : light_word(1, false);
     float zoom = depth > 0 ? motion.z * (depth / frame.near_plane) - 1 : 0;
     imageStore(key_out, pixel, uvec4(key_of(depth, object, light, zoom)));

@@ -28,6 +28,7 @@ layout(constant_id = TAA_WHERE_ID) const uint where = 0;
 layout(constant_id = TAA_FILL_ID) const uint fill = 0;
 layout(constant_id = TAA_INPUT_ID) const uint input_frame = 0;
 layout(constant_id = TAA_RELIGHTS_ID) const bool relights = false;
+layout(constant_id = TAA_BOUNDS_ID) const bool may_need_bounds = false;
 
 bool rejects(uint test) { return (reject & test) != 0; }
 bool writes_to(uint what) { return (writes & what) != 0; }
@@ -44,7 +45,7 @@ bool tests_tags() { return rejects(reject_tag) && reads_tags; }
 /// The history's alpha has one place: of a keyed row, tags go with the objects.
 bool keeps_tags_apart() { return tests_tags() && keyed(); }
 bool reads_alpha() { return tests_tags() || keyed(); }
-bool needs_volume() { return rectify != rectify_none; }
+bool needs_volume() { return rectify != rectify_none && may_need_bounds; }
 bool counts() { return writes_to(TAA_WRITES_COUNT); }
 /// Of the count that goes with a key; blend_counting has one of its own, which goes further.
 bool takes_age() { return keyed() && blend != blend_counting; }

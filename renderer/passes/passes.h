@@ -44,6 +44,7 @@ struct FrameContext {
   InView in_view;
   bool camera_moved = false;
   bool light_changes = false;          // on some surface, since the last frame
+  bool mirrors_change = false;         // what glossy surfaces mirror: anything moves, in view or not, or light
   uint32_t moved_ids = 0;              // bit i: something of that id (shaders/shared/taa_key.h) moves, or did
   bool sun_shines = false;             // or somebody looks at its shadows
   uint32_t more_features = 0;          // beside each draw's own: bits of frame.h

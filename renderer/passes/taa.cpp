@@ -97,6 +97,7 @@ struct Reading {
   bool neighbours = true; // which of them speaks for a pixel is found out
   bool by_taps = false;   // of the history, through a sampler
   bool relights = false;  // it, where light changes
+  bool bounds = false;    // it, by colours
 
   bool reads_anything() const { return kept.valid || kept.writes != 0; }
   bool key() const { return policy.needs_key(); } // what it keeps begins with the first frame
@@ -142,6 +143,13 @@ bool asks_light(FrameGraph& graph, const FrameContext& in, const TaaPolicy& poli
          graph.needed(changes, {"light of the history", lit ? "no light changes" : "nothing is lit"});
 }
 
+/// Of a row that bounds what is not known: all is, where the picture and its light rest.
+bool asks_bounds(FrameGraph& graph, const FrameContext& in, const TaaPolicy& policy) {
+  if (!policy.rectifies_unknown_only()) return true;
+  return graph.needed(in.mirrors_change,
+                      {"bounds of what is not known", "nothing moves and no light changes"});
+}
+
 Reading reading_of(FrameGraph& graph, const FrameContext& in, const TaaInputs& inputs, const TaaSettings& taa,
                    const Kept& kept) {
   const HistoryFilter filter = filter_for(in, taa.policy.history);
@@ -156,7 +164,8 @@ Reading reading_of(FrameGraph& graph, const FrameContext& in, const TaaInputs& i
           .tags = tags,
           .neighbours = asks_neighbours(graph, taa.policy, inputs.motion.moves, tags),
           .by_taps = filter == HistoryFilter::catmull_rom_9 || filter == HistoryFilter::catmull_rom_5,
-          .relights = asks_light(graph, in, taa.policy, inputs.gbuffer.lit)};
+          .relights = asks_light(graph, in, taa.policy, inputs.gbuffer.lit),
+          .bounds = asks_bounds(graph, in, taa.policy)};
 }
 
 std::vector<Binding> reads_of_frame(const Reading& r, const TaaInputs& inputs) {
@@ -233,7 +242,8 @@ std::vector<Constant> constants_of(const FrameContext& in, const TaaSettings& ta
           uint32_t(policy.where),
           uint32_t(policy.fill),
           uint32_t(policy.input),
-          uint32_t(r.relights)};
+          uint32_t(r.relights),
+          uint32_t(r.bounds)};
 }
 
 } // namespace

@@ -81,6 +81,7 @@ SHARED_CONSTANT TAA_WHERE_ID = 17;
 SHARED_CONSTANT TAA_FILL_ID = 18;
 SHARED_CONSTANT TAA_INPUT_ID = 19;
 SHARED_CONSTANT TAA_RELIGHTS_ID = 20; // of a row that rejects by visibility: some light changes
+SHARED_CONSTANT TAA_BOUNDS_ID = 21; // of a row that rectifies: something may have to be
 
 /// What a resolve writes beside its result.
 SHARED_CONSTANT TAA_WRITES_COUNT = 1;   // of the frames that a history holds

@@ -1,6 +1,7 @@
 // What a resolve that knows causes is told of a pixel: one word of 32 bits, and the 16 bits that stay with the history.
 // A key, from its highest bit: depth (14 bits of reversed depth's float, which sort as the depth does), object id (5),
-// whether it is glossy, whether the light on it may change, how much of it arrives (7), and by how much it came nearer (4).
+// whether it is glossy and what it mirrors may change, whether the light on it may change, how much of that arrives (7), and by
+// how much it came nearer (4).
 #ifndef UNGHOST_SHARED_TAA_KEY_H
 #define UNGHOST_SHARED_TAA_KEY_H
 

@@ -183,6 +183,17 @@ TEST_F(Needed, LightThatStaysIsNotFollowed) {
   EXPECT_EQ(expect_same(unlit, "rotate", {"unghost"}).why_without("light of the history"), "nothing is lit");
 }
 
+TEST_F(Needed, WhereAllRestsNothingIsBounded) {
+  const auto why = [&](const Drawn& drawn) { return drawn.why_without("bounds of what is not known"); };
+  const Drawn rests = expect_same(studio->renderer, "still", {"unghost"}),
+              camera = expect_same(studio->renderer, "rotate", {"unghost"});
+  EXPECT_EQ(why(rests), "nothing moves and no light changes");
+  EXPECT_EQ(why(camera), "");
+  EXPECT_EQ(why(expect_same(studio->renderer, "pass", {"unghost"})), "") << "a car drives by";
+  EXPECT_EQ(why(expect_same(studio->renderer, "still", {"unghost-safe"})), "") << "which bounds all";
+  EXPECT_LT(rests.pipeline("taa.comp").instructions, camera.pipeline("taa.comp").instructions);
+}
+
 TEST_F(Needed, OffHasNoHistoryNoJitterAndNoMotion) {
   const Drawn off = expect_same(studio->renderer, "drive", {"off"});
   EXPECT_FALSE(off.has_image("history") || off.has_image("motion,") || off.has_image("depth copy"));

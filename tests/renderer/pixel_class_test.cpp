@@ -38,7 +38,8 @@ protected:
   }
   bool is_glossy(const Material& material) {
     Renderer renderer(studio->device, studio->data.shaders, box_of(material));
-    return seen(renderer, "still", View::pixel_class).blue > 500;
+    EXPECT_EQ(seen(renderer, "still", View::pixel_class).blue, 0u) << "what it mirrors rests";
+    return seen(renderer, "rotate", View::pixel_class).blue > 500;
   }
 };
 

@@ -54,6 +54,7 @@ TEST_F(Settling, TakesLongerTheLessANewFrameWeighs) {
   EXPECT_GT(frames("blend", 0.05f), frames("blend", 0.1f));
   EXPECT_LE(frames("crytek-2x", 0.5f), 4u) << "two inputs";
   EXPECT_EQ(frames_until_settled(run_of("dop32").taa), std::nullopt) << "clipped, it never settles";
+  EXPECT_NE(frames_until_settled(run_of("unghost").taa), std::nullopt) << "at rest it is not clipped";
 }
 
 TEST_F(Settling, WhatMovesIsDrawnAndSaid) {

@@ -16,8 +16,9 @@ constexpr Part all_parts[] = {
                                        "is lit anew where another amount falls. Without it, shadows trail."},
     {"dilation=centre", "Edges: a pixel follows the nearest surface of its 3x3, across an edge of depth or "
                         "object alone. Without it, the smooth edge of what moves stays behind."},
-    {"rectify=none", "A bound for what is not known: what a glossy surface mirrors, the edges of what moves, "
-                     "and what was lit anew are clipped to the box of the 3x3."},
+    {"rectify=none",
+     "A bound for what is not known: what a glossy surface mirrors while anything moves, the edges of "
+     "what moves, and what was lit anew are clipped to the box of the 3x3."},
     {"where=everywhere", "No bound for what is known: all else keeps its history whole, whatever the 3x3 "
                          "looks like. With it, the row is unghost-safe."},
     {"blend=constant", "Speed: each frame blurs a history that is read between its pixels. Where the picture "

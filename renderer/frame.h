@@ -42,7 +42,8 @@ struct ShadowVersion {
 /// What the last frame's light was made from.
 struct LastLight {
   LightSettings settings;
-  std::vector<double> map_place; // of the shadow map
+  std::vector<double> map_place; // of the shadow map: describe_shadow_map's
+  float unit = 0;                // FrameConstants::light_unit
 };
 
 /// What the frame before leaves behind, its images aside.

@@ -47,11 +47,24 @@ void describe_underside(FrameConstants& constants, const FrameInput& input, cons
   if (vehicle.empty()) return;
   const glm::dvec3 low(vehicle.low), high(vehicle.high), size = high - low, middle = (low + high) / 2.0;
   constexpr double clearance = 0.16, body = 0.9; // of its height; of its length and width
-  const glm::dmat4 eye_from_vehicle = relative_to(input.now.eye, input.now.vehicle);
-  const glm::dvec3 origin(middle.x, low.y + clearance * size.y, middle.z);
-  constants.underside_from_eye =
-      glm::dmat4x3(glm::inverse(eye_from_vehicle * glm::translate(glm::dmat4(1), origin)));
-  constants.underside_half = glm::dvec2(size.x, size.z) / 2.0 * body;
+  const glm::dmat4 vehicle_from_underside =
+      glm::translate(glm::dmat4(1), glm::dvec3(middle.x, low.y + clearance * size.y, middle.z));
+  const auto eye_from_underside = [&](const glm::dmat4& vehicle_pose) {
+    return relative_to(input.now.eye, vehicle_pose) * vehicle_from_underside;
+  };
+  const glm::dmat4 underside_from_eye = glm::inverse(eye_from_underside(input.now.vehicle)),
+                   now_from_before = underside_from_eye * eye_from_underside(input.before.vehicle);
+  const glm::dvec2 half = glm::dvec2(size.x, size.z) / 2.0 * body;
+  glm::dvec2 swept_low = -half, swept_high = half;
+  for (const glm::dvec2 side : {glm::dvec2(-1, -1), {1, -1}, {-1, 1}, {1, 1}}) {
+    const glm::dvec4 corner = now_from_before * glm::dvec4(side.x * half.x, 0, side.y * half.y, 1);
+    swept_low = glm::min(swept_low, glm::dvec2(corner.x, corner.z));
+    swept_high = glm::max(swept_high, glm::dvec2(corner.x, corner.z));
+  }
+  constants.underside_from_eye = glm::dmat4x3(underside_from_eye);
+  constants.underside_half = half;
+  constants.underside_swept_low = swept_low;
+  constants.underside_swept_high = swept_high;
 }
 
 /// What every pipeline is made with beside what its own draws ask for: a white texture multiplies by 1, and
@@ -236,10 +249,12 @@ FrameSetup describe_frame(FrameGraph& graph, const FrameInput& given, const Scen
                   .timed = input.timed};
   const MovingShadows shadows = list_draws(graph, in, constants, gpu, objects);
   in.shadows_moved_before = std::exchange(before.moving_shadows, shadows.now);
-  in.light_changes = describe_light_changes(
-      constants, input,
-      {.swept_shadows = shadows.swept, .map_place = map_place, .lamps_moved = objects.lamps_moved},
-      before.light);
+  in.light_changes = describe_light_changes(constants, input,
+                                            {.swept_shadows = shadows.swept,
+                                             .map_place = map_place,
+                                             .lamps_moved = objects.lamps_moved,
+                                             .objects_moved = in.in_view.anything_moved},
+                                            before.light);
   in.mirrors_change = in.camera_moved || in.moved_ids != 0 || in.light_changes;
   constants.mirrors_change = in.mirrors_change;
   return by_jitter(graph, given, input, in, constants, memory);

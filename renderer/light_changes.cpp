@@ -10,7 +10,7 @@ bool describe_light_changes(FrameConstants& constants, const FrameInput& input, 
   const bool all = now.lamps_moved || input.now.towards_sun != input.before.towards_sun ||
                    input.settings.light != before.settings ||
                    (sun && now.map_place != before.map_place); // shadows end where the map does
-  const bool underside = input.now.vehicle != input.before.vehicle;
+  const bool underside = constants.underside_half.x > 0 && input.now.vehicle != input.before.vehicle;
   constants.light_changes = (all ? LIGHT_CHANGES_ALL : 0u) | (underside ? LIGHT_CHANGES_UNDERSIDE : 0u);
 
   constexpr float filtered = 2; // texels by which the filter of light.comp reaches beyond
@@ -19,8 +19,9 @@ bool describe_light_changes(FrameConstants& constants, const FrameInput& input, 
   const bool shadows = sun && size.x > 0 && size.y > 0;
   constants.shadows_move_from = shadows ? (low - filtered) / float(shadow_texels) : glm::vec2(2); // nowhere
   constants.shadows_move_to = shadows ? (low + size + filtered) / float(shadow_texels) : glm::vec2(2);
-  before = {.settings = input.settings.light, .map_place = now.map_place};
-  return all || underside || shadows;
+  constants.light_unit_change = before.unit > 0 ? before.unit / constants.light_unit : 1;
+  before = {.settings = input.settings.light, .map_place = now.map_place, .unit = constants.light_unit};
+  return all || underside || shadows || now.objects_moved;
 }
 
 } // namespace unghost

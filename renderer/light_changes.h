@@ -10,8 +10,9 @@ namespace unghost {
 
 struct LightNow {
   VkRect2D swept_shadows{};      // texels of the shadow map that moving casters lie in, or did
-  std::vector<double> map_place; // of the shadow map
+  std::vector<double> map_place; // of the shadow map: describe_shadow_map's
   bool lamps_moved = false;
+  bool objects_moved = false; // in view: they come to other light
 };
 
 /// Fills the part of FrameConstants that says so, and returns whether it is so anywhere; `before` becomes

@@ -25,7 +25,7 @@ struct ResolveInputs {
   std::vector<float> expected_depth; // metres
   std::vector<uint32_t> objects;     // OBJECT_ words of shaders/shared/taa_key.h
   std::vector<uint8_t> tags;
-  std::vector<float> light; // that arrives: 1 under the open sky and its sun
+  std::vector<float> light; // that arrives, in FrameConstants::light_unit
   glm::vec2 jitter_px{0};   // where the frame was sampled: shaders/shared/frame.h
   uint32_t moved_ids = 0;   // bit i: something of that id moves, or did
 

@@ -45,6 +45,9 @@ void describe_light(FrameConstants& constants, const FrameInput& input) {
   const float share = 0.14f * (std::max(constants.towards_sun.y, 0.0f) / 3.14159f);
   constants.ground = constants.sun_illuminance * share + constants.sky_horizon * 0.1f;
   constants.exposure = std::exp2(light.exposure_ev);
+  constexpr float white = 3.14159f,
+                  brighter = 1.6f; // of which a white surface is shown as 1; than that, a clear noon
+  constants.light_unit = brighter * white / constants.exposure;
 }
 
 std::vector<double> describe_shadow_map(FrameConstants& constants, const FrameInput& input) {

@@ -59,12 +59,13 @@ float corner_share(float x, float z, float y) {
   return a * atan(z * inversesqrt(x * x + y * y)) + b * atan(x * inversesqrt(z * z + y * y));
 }
 
+const float underside_reach = 2.5;  // metres beyond which nothing is to be seen of it
+
 /// How much of the sky the vehicle leaves to what lies below it: a shadow map knows the sun alone.
 float sky_share(vec3 position_eye, vec3 normal) {
   vec3 at = frame.underside_from_eye * vec4(position_eye, 1);
   vec2 half_side = frame.underside_half;
-  const float reach = 2.5;  // metres beyond which nothing is to be seen
-  if (half_side.x <= 0 || at.y > -0.02 || any(greaterThan(abs(at.xz), half_side + reach))) return 1;
+  if (half_side.x <= 0 || at.y > -0.02 || any(greaterThan(abs(at.xz), half_side + underside_reach))) return 1;
   vec2 low = -half_side - at.xz, high = half_side - at.xz;
   float hidden = corner_share(high.x, high.y, at.y) - corner_share(low.x, high.y, at.y) -
                  corner_share(high.x, low.y, at.y) + corner_share(low.x, low.y, at.y);
@@ -103,23 +104,29 @@ vec3 from_lamps(Surface s, vec3 position_eye, vec3 to_eye, out float arriving) {
   return sum;
 }
 
-/// Light that arrives at a level surface, whatever it makes of it, of that of the open sky and its sun.
+vec3 own_light(ivec2 pixel) { return has_emissive ? texelFetch(emissive_map, pixel, 0).rgb : vec3(0); }
+
+/// Light that would have to arrive at a level surface for what it shines by itself: that stays, whatever falls on it.
+float light_instead_of(vec3 own, Surface s) { return pi * luminance(own) / max(luminance(s.albedo), 0.04); }
+
+/// Light that arrives at a level surface, whatever it makes of it.
 float demodulated(float visibility, float of_sky, float of_lamps) {
   float sun = has_sun ? luminance(frame.sun_illuminance) * max(frame.towards_sun.y, 0) : 0;
   float sky = pi * luminance(sky_radiance(vec3(0, 1, 0), 1));
-  return (sun * visibility + sky * of_sky + of_lamps) / max(sun + sky, 1e-6);
+  return sun * visibility + sky * of_sky + of_lamps;
 }
 
 /// Whether it may be another than in the last frame.
-bool light_may_change(vec3 position_eye, float of_sky) {
-  vec2 at = (frame.shadow_from_eye * vec4(position_eye, 1)).xy;
+bool light_may_change(vec3 position_eye) {
+  vec2 at = (frame.shadow_from_eye * vec4(position_eye, 1)).xy,
+       below = (frame.underside_from_eye * vec4(position_eye, 1)).xz;
   bool in_moving_shadow = has_sun && all(greaterThanEqual(at, frame.shadows_move_from)) &&
                           all(lessThanEqual(at, frame.shadows_move_to));
-  bool below_vehicle = of_sky < 1 && (frame.light_changes & LIGHT_CHANGES_UNDERSIDE) != 0;
+  bool below_vehicle = (frame.light_changes & LIGHT_CHANGES_UNDERSIDE) != 0 &&
+                       all(greaterThan(below, frame.underside_swept_low - underside_reach)) &&
+                       all(lessThan(below, frame.underside_swept_high + underside_reach));
   return in_moving_shadow || below_vehicle || (frame.light_changes & LIGHT_CHANGES_ALL) != 0;
 }
-
-vec3 own_light(ivec2 pixel) { return has_emissive ? texelFetch(emissive_map, pixel, 0).rgb : vec3(0); }
 
 /// What a surface sends to the eye, how much of the sun it sees, and how much light reaches it.
 vec3 lit_surface(ivec2 pixel, vec3 ray, float depth, inout float visibility, inout uint irradiance) {
@@ -133,11 +140,14 @@ vec3 lit_surface(ivec2 pixel, vec3 ray, float depth, inout float visibility, ino
   if (has_sun) visibility = dot(normal, frame.towards_sun) > 0 ? sun_visibility(position_eye, normal) : 0;
   float of_lamps, of_sky = sky_share(position_eye, normal);
   vec3 colour = from_environment(s, to_eye) * of_sky + from_lamps(s, position_eye, to_eye, of_lamps);
-  if (keeps_irradiance)
-    irradiance = light_word(demodulated(visibility, of_sky, of_lamps), light_may_change(position_eye, of_sky));
   if (has_sun && visibility > 0)
     colour += reflect_light(s, to_eye, frame.towards_sun, sun_alpha) * frame.sun_illuminance * visibility;
-  if (has_emissive) colour += own_light(pixel);
+  vec3 own = own_light(pixel);
+  if (has_emissive) colour += own;
+  if (keeps_irradiance) {
+    float arriving = demodulated(visibility, of_sky, of_lamps) + (has_emissive ? light_instead_of(own, s) : 0);
+    irradiance = light_word(arriving / frame.light_unit, light_may_change(position_eye));
+  }
   return colour;
 }
 

@@ -39,9 +39,11 @@ void main() {
   pixel_or_return(pixel);
   float depth = has_surfaces ? texelFetch(depth_map, pixel, 0).r : 0;
   vec3 motion = motion_of_world(vec2(pixel) + 0.5, depth);
+  bool moved = false;
   if (objects_moved) {
     vec4 of_object = texelFetch(object_motion, pixel, 0);
-    if (of_object.w > 0) motion = of_object.xyz;
+    moved = of_object.w > 0;
+    if (moved) motion = of_object.xyz;
   }
   imageStore(motion_out, pixel, vec4(motion.xy, 0, 0));
   if (keeps_previous_depth) imageStore(previous_depth_out, pixel, vec4(motion.z, 0, 0, 0));
@@ -53,6 +55,7 @@ void main() {
     uint object = has_surfaces ? texelFetch(object_map, pixel, 0).r : 0;
     if (frame.mirrors_change == 0) object &= ~OBJECT_GLOSSY;
     uint light = has_irradiance ? texelFetch(irradiance_map, pixel, 0).r : light_word(1, false);
+    if (has_irradiance && moved) light |= LIGHT_CHANGES;  // it came to other light
     float zoom = depth > 0 ? motion.z * (depth / frame.near_plane) - 1 : 0;
     imageStore(key_out, pixel, uvec4(key_of(depth, object, light, zoom)));
   }

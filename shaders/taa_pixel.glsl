@@ -76,7 +76,7 @@ Resolve resolve(Reprojected r, Speaker speaker, Rejection j, vec3 centre, vec3 b
   if (rejects(reject_velocity)) result.colour = mix(result.colour, needs_blurred() ? blurred : centre, j.drawn);
   result.weight = mix(weight, 1, j.drawn);
   result.count = result.weight >= 1 ? 1 : min(r.count + 1, most_frames());
-  if (keyed()) result.lightness = mix(r.lightness, result.lightness, result.weight);
+  if (keyed() && keeps != keeps_input) result.lightness = mix(r.lightness, result.lightness, result.weight);
   return result;
 }
 

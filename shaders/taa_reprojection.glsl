@@ -81,11 +81,17 @@ void take_kept(inout Reprojected r, uint key) {
 bool light_changes(Around around) { return (around.own & KEY_LIGHT_CHANGES) != 0; }
 
 /// Where light may have changed, a history whose light was not between the pixel's and the mean of those around is lit anew,
-/// as a surface that does not shine by itself would be.
+/// as a matt surface would be.
 void follow_light(inout Reprojected r, Around around) {
   if (!light_changes(around)) return;
   const float most_change = 16;
+  for (uint once = frame.light_unit_change == 1 ? 1 : 0; once < 1; ++once) {  // seldom
+    vec2 light = light_fraction(r.lightness);
+    r.lightness = lightness_of(light.x * frame.light_unit_change / light.y);
+  }
   float now = lightness_of_key(around.own);
+  const float coarse = 0.9;  // beyond it a step is too much of the light to tell how it changed
+  if (max(now, r.lightness) > coarse) r.causes |= reject_visibility;
   float bounded = clamp(r.lightness, min(now, around.mean), max(now, around.mean));
   const float least_step = 0.5;  // below it lies what arithmetic leaves of even light
   if (abs(bounded - r.lightness) * KEY_LIGHT_STEPS < least_step) return;

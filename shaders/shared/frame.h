@@ -40,6 +40,9 @@ struct FrameConstants {
   float mip_bias;
   mat4x3 underside_from_eye;    // the vehicle's underside: a rectangle about the origin in the plane y = 0, y upwards
   vec2 underside_half;          // metres along its x and z; 0 where there is no vehicle
+  vec2 underside_swept_low, underside_swept_high;  // in its plane: what it covers, or did in the last frame
+  float light_unit;             // arriving light that is 1 in keys: about what the exposure is made for
+  float light_unit_change;      // last frame's over this frame's
   uint light_changes;           // LIGHT_CHANGES_ bits
   uint mirrors_change;          // 0: nothing moves and no light changes, so that what glossy surfaces mirror rests
   vec2 shadows_move_from, shadows_move_to;  // of the shadow map, 0 to 1: where what moves, or did, throws its shadow

@@ -38,16 +38,15 @@ SHARED_CONSTANT KEPT_AGES = 16;
 using glm::floatBitsToUint, glm::clamp, glm::min, glm::sqrt;
 #endif
 
-/// Light that arrives, of which that of the open sky and its sun is 1, as a number from 0 to 1 of about equal steps to the
-/// eye, and back.
-SHARED_NUMBER OPEN_SKY_LIGHTNESS = 0.8f;
+/// Light that arrives, in FrameConstants::light_unit, as a number from 0 to 1 of about equal steps to the eye, and back.
+SHARED_NUMBER UNIT_LIGHTNESS = 0.8f;
 SHARED_FUNCTION float lightness_of(float light) {
-  return light <= 1 ? OPEN_SKY_LIGHTNESS * sqrt(light) : 1 - (1 - OPEN_SKY_LIGHTNESS) / light;
+  return light <= 1 ? UNIT_LIGHTNESS * sqrt(light) : 1 - (1 - UNIT_LIGHTNESS) / light;
 }
 /// As numerator and denominator.
 SHARED_FUNCTION vec2 light_fraction(float lightness) {
-  float root = lightness / OPEN_SKY_LIGHTNESS;
-  return root <= 1 ? vec2(root * root, 1) : vec2(1 - OPEN_SKY_LIGHTNESS, 1 - min(lightness, 0.999f));
+  float root = lightness / UNIT_LIGHTNESS;
+  return root <= 1 ? vec2(root * root, 1) : vec2(1 - UNIT_LIGHTNESS, 1 - min(lightness, 0.999f));
 }
 
 /// What the light pass says of a pixel: lightness in steps, and whether it may be another than in the last frame.

@@ -17,6 +17,8 @@ protected:
   }
   bool describe() {
     constants = {};
+    constants.underside_half = underside_half;
+    constants.light_unit = unit;
     return describe_light_changes(constants, input, now, before);
   }
   bool everywhere() const { return (constants.light_changes & LIGHT_CHANGES_ALL) != 0; }
@@ -30,6 +32,8 @@ protected:
   LightNow now;
   LastLight before;
   FrameConstants constants{};
+  glm::vec2 underside_half{1, 2};
+  float unit = 4;
 };
 
 TEST_F(LightChanges, WhatRestsKeepsItsLight) {
@@ -72,6 +76,22 @@ TEST_F(LightChanges, BelowTheVehicleAreWhereItMoves) {
   EXPECT_TRUE(describe());
   EXPECT_FALSE(everywhere());
   EXPECT_NE(constants.light_changes & LIGHT_CHANGES_UNDERSIDE, 0u);
+  underside_half = {0, 0};
+  EXPECT_FALSE(describe()) << "there is none";
+}
+
+TEST_F(LightChanges, AreWhereObjectsCameToOtherLight) {
+  now.objects_moved = true;
+  EXPECT_TRUE(describe());
+  EXPECT_FALSE(everywhere());
+}
+
+TEST_F(LightChanges, SayWhatTheHistorysUnitWas) {
+  EXPECT_EQ(constants.light_unit_change, 1);
+  unit = 1, describe();
+  EXPECT_EQ(constants.light_unit_change, 4);
+  describe();
+  EXPECT_EQ(constants.light_unit_change, 1);
 }
 
 } // namespace

@@ -43,7 +43,6 @@ struct ShadowVersion {
 struct LastLight {
   LightSettings settings;
   std::vector<double> map_place; // of the shadow map: describe_shadow_map's
-  float unit = 0;                // FrameConstants::light_unit
 };
 
 /// What the frame before leaves behind, its images aside.
@@ -52,6 +51,7 @@ struct LastFrame {
   ShadowVersion shadows;
   uint32_t moved_ids = 0; // FrameContext's, of that frame alone
   LastLight light;
+  float light_unit = 0;    // FrameConstants::light_unit
   VkRect2D moving_shadows{}; // texels of the shadow map that moving casters lay in
 };
 

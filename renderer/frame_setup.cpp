@@ -172,13 +172,18 @@ uint32_t moved_ids(const GpuScene& gpu, const PlacedObjects& objects, uint32_t& 
   return now | std::exchange(before, now);
 }
 
-/// By mode, whether its history is of another policy; `policies` become this frame's.
-std::vector<uint8_t> changes_of(std::vector<TaaPolicy>& policies, const std::vector<ModeRun>& modes) {
+/// By mode, whether its history is of another policy, or holds light in another unit than `light_unit`;
+/// `before` becomes this frame's.
+std::vector<uint8_t> changes_of(LastFrame& before, const std::vector<ModeRun>& modes, float light_unit) {
+  const bool other_unit = std::exchange(before.light_unit, light_unit) != light_unit;
   std::vector<uint8_t> changed;
-  for (size_t i = 0; i < modes.size(); ++i)
-    changed.push_back(i >= policies.size() || policies[i] != modes[i].taa.policy);
-  policies.clear();
-  for (const ModeRun& run : modes) policies.push_back(run.taa.policy);
+  for (size_t i = 0; i < modes.size(); ++i) {
+    const TaaPolicy& policy = modes[i].taa.policy;
+    const bool same = i < before.policies.size() && before.policies[i] == policy;
+    changed.push_back(!same || (other_unit && policy.rejects(Reject::visibility)));
+  }
+  before.policies.clear();
+  for (const ModeRun& run : modes) before.policies.push_back(run.taa.policy);
   return changed;
 }
 
@@ -244,7 +249,7 @@ FrameSetup describe_frame(FrameGraph& graph, const FrameInput& given, const Scen
                   .shadow_version = version_of(before.shadows, map_place, objects, gpu, now,
                                                input.keeps_nothing || input.cut),
                   .shadows_moved_before = {},
-                  .policy_changed = changes_of(before.policies, input.modes),
+                  .policy_changed = changes_of(before, input.modes, constants.light_unit),
                   .tagged = tagged_range(input, gpu, objects),
                   .timed = input.timed};
   const MovingShadows shadows = list_draws(graph, in, constants, gpu, objects);

@@ -19,8 +19,7 @@ bool describe_light_changes(FrameConstants& constants, const FrameInput& input, 
   const bool shadows = sun && size.x > 0 && size.y > 0;
   constants.shadows_move_from = shadows ? (low - filtered) / float(shadow_texels) : glm::vec2(2); // nowhere
   constants.shadows_move_to = shadows ? (low + size + filtered) / float(shadow_texels) : glm::vec2(2);
-  constants.light_unit_change = before.unit > 0 ? before.unit / constants.light_unit : 1;
-  before = {.settings = input.settings.light, .map_place = now.map_place, .unit = constants.light_unit};
+  before = {.settings = input.settings.light, .map_place = now.map_place};
   return all || underside || shadows || now.objects_moved;
 }
 

@@ -151,7 +151,6 @@ struct ResolveAlone::Parts {
     constants.inverse_size_px = 1.0f / constants.size_px;
     constants.near_plane = near_plane;
     constants.jitter_px = inputs.jitter_px;
-    constants.light_unit_change = 1;
     const FrameContext in{.scene = scene,
                           .modes = runs,
                           .size = {inputs.width, inputs.height},

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "shaders/shared/sky.h"
+
 namespace unghost {
 namespace {
 
@@ -34,6 +36,23 @@ glm::dvec3 place_of_map(const FrameInput& input, const SunFrame& sun) {
   return {snapped(sun.right, step_m), snapped(sun.up, step_m), snapped(sun.towards, depth_step_m)};
 }
 
+/// The unit steps with the exposure, by its doubles: histories hold light in it (LastLight::unit).
+void describe_light_of_keys(FrameConstants& constants, const LightSettings& light) {
+  constexpr float pi = 3.14159f, brighter = 1.6f; // a clear noon, than what a white surface shows as 1
+  constants.light_unit = brighter * pi / std::exp2(std::round(light.exposure_ev));
+  const Sky sky{constants.sky_zenith, constants.sky_horizon, constants.ground, constants.towards_sun};
+  const glm::vec3 of_sky = pi * radiance_of(sky, {0, 1, 0}, 1),
+                  of_sun = constants.sun_illuminance * std::max(constants.towards_sun.y, 0.0f),
+                  open = of_sky + of_sun;
+  constants.open_sky_light = luminance(of_sky) / constants.light_unit;
+  constants.open_sun_light = luminance(of_sun) / constants.light_unit;
+  constants.sun_over_sky = glm::vec3(0);
+  if (luminance(of_sky) <= 0 || luminance(of_sun) <= 0) return; // one hue
+  const glm::vec3 sky_hue = of_sky / luminance(of_sky), open_hue = open / luminance(open);
+  constants.sun_over_sky =
+      (open_hue - sky_hue) / (0.5f * (open_hue + sky_hue)) * (luminance(open) / luminance(of_sun));
+}
+
 } // namespace
 
 void describe_light(FrameConstants& constants, const FrameInput& input) {
@@ -45,9 +64,7 @@ void describe_light(FrameConstants& constants, const FrameInput& input) {
   const float share = 0.14f * (std::max(constants.towards_sun.y, 0.0f) / 3.14159f);
   constants.ground = constants.sun_illuminance * share + constants.sky_horizon * 0.1f;
   constants.exposure = std::exp2(light.exposure_ev);
-  constexpr float white = 3.14159f,
-                  brighter = 1.6f; // of which a white surface is shown as 1; than that, a clear noon
-  constants.light_unit = brighter * white / constants.exposure;
+  describe_light_of_keys(constants, light);
 }
 
 std::vector<double> describe_shadow_map(FrameConstants& constants, const FrameInput& input) {

@@ -38,6 +38,4 @@ vec3 direction_from_octahedral(vec2 o) {
   return normalize(d);
 }
 
-float luminance(vec3 colour) { return dot(colour, vec3(0.2126, 0.7152, 0.0722)); }
-
 #endif

@@ -109,11 +109,9 @@ vec3 own_light(ivec2 pixel) { return has_emissive ? texelFetch(emissive_map, pix
 /// Light that would have to arrive at a level surface for what it shines by itself: that stays, whatever falls on it.
 float light_instead_of(vec3 own, Surface s) { return pi * luminance(own) / max(luminance(s.albedo), 0.04); }
 
-/// Light that arrives at a level surface, whatever it makes of it.
-float demodulated(float visibility, float of_sky, float of_lamps) {
-  float sun = has_sun ? luminance(frame.sun_illuminance) * max(frame.towards_sun.y, 0) : 0;
-  float sky = pi * luminance(sky_radiance(vec3(0, 1, 0), 1));
-  return sun * visibility + sky * of_sky + of_lamps;
+/// Light that arrives at a level surface, whatever it makes of it, in FrameConstants::light_unit.
+float demodulated(float visibility, float of_sky, float of_others) {
+  return (has_sun ? frame.open_sun_light * visibility : 0) + frame.open_sky_light * of_sky + of_others / frame.light_unit;
 }
 
 /// Whether it may be another than in the last frame.
@@ -145,8 +143,8 @@ vec3 lit_surface(ivec2 pixel, vec3 ray, float depth, inout float visibility, ino
   vec3 own = own_light(pixel);
   if (has_emissive) colour += own;
   if (keeps_irradiance) {
-    float arriving = demodulated(visibility, of_sky, of_lamps) + (has_emissive ? light_instead_of(own, s) : 0);
-    irradiance = light_word(arriving / frame.light_unit, light_may_change(position_eye));
+    if (has_emissive) of_lamps += light_instead_of(own, s);
+    irradiance = light_word(demodulated(visibility, of_sky, of_lamps), light_may_change(position_eye));
   }
   return colour;
 }

@@ -1,20 +1,12 @@
-// An analytic sky that a surface of any roughness can ask: the rougher, the wider its gradients.
+// The sky of this frame.
 #ifndef UNGHOST_SKY_GLSL
 #define UNGHOST_SKY_GLSL
 
 #include "frame.glsl"
+#include "shared/sky.h"
 
-/// Radiance from direction d (world axes, length 1), averaged over a lobe of that roughness. No sun disc.
 vec3 sky_radiance(vec3 d, float roughness) {
-  float blur = 0.015 + roughness * 0.9;
-  float up = clamp(d.y, 0, 1);
-  float to_zenith = pow(mix(up, 0.5 + 0.5 * d.y, roughness * 0.6), 0.55);
-  // a wide lobe never sees the zenith alone
-  vec3 sky = mix(frame.sky_horizon, frame.sky_zenith, to_zenith * mix(1.0, 0.3, roughness));
-  float towards = max(dot(d, frame.towards_sun), 0);
-  float width = mix(24.0, 2.0, sqrt(roughness));
-  sky += frame.sky_horizon * vec3(1.0, 0.85, 0.6) * (0.55 * pow(towards, width) * mix(1.0, 0.35, roughness));
-  return mix(frame.ground, sky, smoothstep(-blur, blur, d.y));
+  return radiance_of(Sky(frame.sky_zenith, frame.sky_horizon, frame.ground, frame.towards_sun), d, roughness);
 }
 
 float value_noise(vec2 p) {

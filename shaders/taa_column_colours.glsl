@@ -119,13 +119,13 @@ void rectify_all(Strip s, vec3 found[R], out vec3 bounded[R]) {
 /// Where no cause is known. A loop, which lanes that all know leave out as a whole; a branch would be taken by all of them.
 void rectify_unknown(ivec2 first, Strip s, bool gathered, Speaker speakers[R], Reprojected r[R], vec3 found[R], inout vec3 bounded[R]) {
   bool any_unknown = false;
-  for (int i = 0; i < R; ++i) any_unknown = any_unknown || needs_bounds(speakers[i], r[i].causes);
+  for (int i = 0; i < R; ++i) any_unknown = any_unknown || needs_bounds(speakers[i], r[i]);
   for (uint round = any_unknown ? 0 : 1; round < 1; ++round) {
     if (!gathered) s = gather(first);
     rectify_all(s, found, bounded);
   }
   for (int i = 0; i < R; ++i)
-    if (!needs_bounds(speakers[i], r[i].causes)) bounded[i] = found[i];
+    if (!needs_bounds(speakers[i], r[i])) bounded[i] = found[i];
 }
 
 #endif

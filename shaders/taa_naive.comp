@@ -156,7 +156,7 @@ void main() {
   if (keyed()) take_kept(r, speaker.key);
   if (relights) follow_light(r, speaker.around);
   vec3 found = to_working(r.found), bounded = found;
-  if (needs_volume() && needs_bounds(speaker, r.causes)) bounded = rectified(found, n.colours);
+  if (needs_volume() && needs_bounds(speaker, r)) bounded = rectified(found, n.colours);
   float moved = needs_volume() ? moved_by(found, bounded) : 0;
   vec3 centre = centres_input() ? mix(n.centre, n.centred, centred_share(r)) : n.centre;
   Resolve result = resolve(r, speaker, rejection(r, speaker), centre, n.blurred, bounded, moved);

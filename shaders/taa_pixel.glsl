@@ -22,12 +22,12 @@ struct Resolve {
   vec3 history;     // as it was used
   vec3 found, bounded;  // for the probe: as it was read, linear; rectified, in the working space
   vec3 mixed_in;     // of the frame
-  bool has_history;
+  bool has_history, bounds;  // for the probe: it was bounded by colours
 };
 
 Resolve without_history(vec3 centre, Speaker speaker) {
   float lightness = keyed() ? lightness_of_key(speaker.around.own) : 0;
-  return Resolve(centre, 1, 1, lightness, 0, 0, centre, vec3(0), vec3(0), centre, false);
+  return Resolve(centre, 1, 1, lightness, 0, 0, centre, vec3(0), vec3(0), centre, false, false);
 }
 
 /// The weight of the current frame where nothing is rejected.
@@ -67,7 +67,8 @@ Resolve resolve(Reprojected r, Speaker speaker, Rejection j, vec3 centre, vec3 b
   result.causes = j.causes;
   result.rectified = moved;
   if (writes_to(TAA_WRITES_PROBE))
-    result.found = r.found, result.bounded = bounded, result.mixed_in = centre, result.has_history = true;
+    result.found = r.found, result.bounded = bounded, result.mixed_in = centre, result.has_history = true,
+    result.bounds = needs_bounds(speaker, r);
   if (writes_to(TAA_WRITES_HISTORY)) result.history = from_working(bounded);
   if (j.whole) return result;
   float weight = mix(blend_weight(r, speaker, moved), 1, j.share);

@@ -46,10 +46,11 @@ float fast_share(Reprojected r) { return r.known ? min(dot(r.motion, r.motion) *
 /// How much of the frame about the pixel's middle goes into the average, of that and of its sample.
 float centred_share(Reprojected r) { return mix(push.centred_rest, 1, fast_share(r)); }
 
-/// Whether colours bound a history: any, or one that may be wrong though no cause gives it up, for none is known or it was lit
-/// anew as if it were matt.
-bool needs_bounds(Speaker speaker, uint causes) {
-  return where == where_everywhere || is_unknown(speaker) || (causes & reject_visibility) != 0;
+/// Whether colours bound a history: any, or one that may be wrong though no cause gives it up. None is known of what a surface
+/// mirrors, and of edges of what moves, or of any where the picture does; what was lit anew was so as if it were matt.
+bool needs_bounds(Speaker speaker, Reprojected r) {
+  bool edge_moves = speaker.around.mixed && (speaker.around.moving || any(notEqual(r.motion, vec2(0))));
+  return where == where_everywhere || is_glossy(speaker) || edge_moves || (r.causes & reject_visibility) != 0;
 }
 
 /// How much each of the four pixels that a history comes from weighs there: x first, then y.
@@ -61,46 +62,52 @@ vec4 four_shares(vec2 at) {
 /// Faster than what tests overlook.
 bool moves(Reprojected r) { return dot(r.motion, r.motion) > push.motion_threshold_px * push.motion_threshold_px; }
 
-const float least_leak = 1.0 / 256;  // nothing may bound the history here: what other tests overlook would stay
-
-/// What a keyed history says of itself, in place of its count; and whether it is of another object than `key`, of which
-/// either moves or did, or of any other where the picture moves.
+/// What a keyed history says of itself, in place of its count; and whether it is of another object than `key`: in the least,
+/// of which either moves or did; for the most, where the picture moves.
 void take_kept(inout Reprojected r, uint key) {
+  const float least_leak = 1.0 / 256;  // nothing may bound the history here: what other tests overlook would stay
   vec4 shares = four_shares(r.at);
-  uint now = id_of_key(key), movers = moves(r) || (push.moved_ids >> now & 1) != 0 ? ~0u : push.moved_ids;
-  float light = 0, most = 0;
+  uint now = id_of_key(key), movers = (push.moved_ids >> now & 1) != 0 ? ~0u : push.moved_ids;
+  float light = 0, most = 0, of_others = 0;
   for (int i = 0; i < 4; ++i) {
     Kept kept = kept_of_half(r.alphas[i]);
     light += shares[i] * kept.light_step;
     if (takes_age() && shares[i] > most) most = shares[i], r.count = kept.age;
-    r.other_moved = r.other_moved || (kept.id != now && (movers >> kept.id & 1) != 0 && shares[i] > least_leak);
+    bool other = kept.id != now;
+    if (other) of_others += shares[i];
+    r.other_moved = r.other_moved || (other && (movers >> kept.id & 1) != 0 && shares[i] > least_leak);
   }
+  r.other_moved = r.other_moved || (of_others > 0.5 && moves(r));
   r.lightness = light / KEY_LIGHT_STEPS;
 }
 
 bool light_changes(Around around) { return (around.own & KEY_LIGHT_CHANGES) != 0; }
 
+/// By how much of light `was` there is more of `is` (fractions), and of how much more of it the sun's share is: what the open sky
+/// has not.
+vec4 light_change(vec2 is, vec2 was) {
+  const float most_change = 16, least = 1e-6;
+  float change = is.x * was.y / max(was.x * is.y, least);
+  float sun_is = max(1 - frame.open_sky_light * is.y / max(is.x, least), 0),
+        sun_was = max(1 - frame.open_sky_light * was.y / max(was.x, least), 0);
+  vec3 tint = 1 + frame.sun_over_sky * (sun_is - sun_was);
+  return clamp(vec4(change * tint, change), 1 / most_change, most_change);
+}
+
 /// Where light may have changed, a history whose light was not between the pixel's and the mean of those around is lit anew,
 /// as a matt surface would be.
 void follow_light(inout Reprojected r, Around around) {
   if (!light_changes(around)) return;
-  const float most_change = 16;
-  for (uint once = frame.light_unit_change == 1 ? 1 : 0; once < 1; ++once) {  // seldom
-    vec2 light = light_fraction(r.lightness);
-    r.lightness = lightness_of(light.x * frame.light_unit_change / light.y);
-  }
-  float now = lightness_of_key(around.own);
   const float coarse = 0.9;  // beyond it a step is too much of the light to tell how it changed
+  float now = lightness_of_key(around.own);
   if (max(now, r.lightness) > coarse) r.causes |= reject_visibility;
   float bounded = clamp(r.lightness, min(now, around.mean), max(now, around.mean));
   const float least_step = 0.5;  // below it lies what arithmetic leaves of even light
   if (abs(bounded - r.lightness) * KEY_LIGHT_STEPS < least_step) return;
-  vec2 is = light_fraction(bounded), was = light_fraction(r.lightness);
-  float brighter = is.x * was.y, darker = max(was.x * is.y, 1e-6);
-  float change = clamp(brighter / darker, 1 / most_change, most_change);
-  r.found *= change;
+  vec4 change = light_change(light_fraction(bounded), light_fraction(r.lightness));
+  r.found *= change.rgb;
   r.lightness = bounded;
-  r.count *= change > 1 ? 1 / change : change;
+  r.count *= change.a > 1 ? 1 / change.a : change.a;
   r.causes |= reject_visibility;
 }
 

@@ -43,12 +43,6 @@ bool mixes_depths(uint own, uint closest, uint farthest) {
 
 bool is_glossy(Speaker speaker) { return ((speaker.key | speaker.around.own) & KEY_GLOSSY) != 0; }
 
-/// Whether no cause is known by which the history could be wrong, and it may be so: what a surface mirrors, and edges of
-/// what moves.
-bool is_unknown(Speaker speaker) {
-  return is_glossy(speaker) || (speaker.around.mixed && speaker.around.moving);
-}
-
 uint class_of(Speaker speaker) {
   return (is_glossy(speaker) ? TAA_CLASS_GLOSSY : 0) | (speaker.around.mixed ? TAA_CLASS_MIXED : 0) |
          (speaker.around.moving ? TAA_CLASS_MOVING : 0);

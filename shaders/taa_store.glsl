@@ -35,7 +35,7 @@ void write_probe(ivec2 pixel, Speaker speaker, Resolve r) {
   imageStore(probe_out, ivec2(TAA_PROBE_FOUND, 0), vec4(r.found, 3 * off.y + off.x));
   imageStore(probe_out, ivec2(TAA_PROBE_BOUNDED, 0), vec4(r.bounded, r.weight));
   imageStore(probe_out, ivec2(TAA_PROBE_WHY, 0), vec4(r.rectified, reasons_of(speaker, r), r.count, r.has_history));
-  imageStore(probe_out, ivec2(TAA_PROBE_INPUT, 0), vec4(r.mixed_in, needs_bounds(speaker, r.causes)));
+  imageStore(probe_out, ivec2(TAA_PROBE_INPUT, 0), vec4(r.mixed_in, r.bounds));
 }
 
 /// Writes all that is asked for. What goes with the history, a tag or what stays of a key, costs no image of its own.

@@ -12,6 +12,12 @@
 #include "language.h"
 
 SHARED_BEGIN
+#ifdef __cplusplus
+using glm::dot;
+#endif
+
+/// Of linear sRGB.
+SHARED_FUNCTION float luminance(vec3 colour) { return dot(colour, vec3(0.2126f, 0.7152f, 0.0722f)); }
 
 /// Binding of FrameConstants in set 0 of every pass.
 SHARED_CONSTANT FRAME_BINDING = 0;
@@ -42,7 +48,8 @@ struct FrameConstants {
   vec2 underside_half;          // metres along its x and z; 0 where there is no vehicle
   vec2 underside_swept_low, underside_swept_high;  // in its plane: what it covers, or did in the last frame
   float light_unit;             // arriving light that is 1 in keys: about what the exposure is made for
-  float light_unit_change;      // last frame's over this frame's
+  float open_sky_light, open_sun_light;  // luminance of what arrives at a level surface in the open, in light_unit
+  vec3 sun_over_sky;            // by what share a colour changes where all of the light is the sun's and none of it was
   uint light_changes;           // LIGHT_CHANGES_ bits
   uint mirrors_change;          // 0: nothing moves and no light changes, so that what glossy surfaces mirror rests
   vec2 shadows_move_from, shadows_move_to;  // of the shadow map, 0 to 1: where what moves, or did, throws its shadow

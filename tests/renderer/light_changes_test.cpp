@@ -18,7 +18,6 @@ protected:
   bool describe() {
     constants = {};
     constants.underside_half = underside_half;
-    constants.light_unit = unit;
     return describe_light_changes(constants, input, now, before);
   }
   bool everywhere() const { return (constants.light_changes & LIGHT_CHANGES_ALL) != 0; }
@@ -33,7 +32,6 @@ protected:
   LastLight before;
   FrameConstants constants{};
   glm::vec2 underside_half{1, 2};
-  float unit = 4;
 };
 
 TEST_F(LightChanges, WhatRestsKeepsItsLight) {
@@ -84,14 +82,6 @@ TEST_F(LightChanges, AreWhereObjectsCameToOtherLight) {
   now.objects_moved = true;
   EXPECT_TRUE(describe());
   EXPECT_FALSE(everywhere());
-}
-
-TEST_F(LightChanges, SayWhatTheHistorysUnitWas) {
-  EXPECT_EQ(constants.light_unit_change, 1);
-  unit = 1, describe();
-  EXPECT_EQ(constants.light_unit_change, 4);
-  describe();
-  EXPECT_EQ(constants.light_unit_change, 1);
 }
 
 } // namespace

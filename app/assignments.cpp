@@ -1,5 +1,9 @@
 #include "app/assignments.h"
 
+#include <algorithm>
+
+#include "renderer/mode_names.h"
+
 namespace unghost {
 namespace {
 
@@ -9,11 +13,13 @@ Settings settings_of(const Settings& shared, const ModeRun& run) {
   return settings;
 }
 
-/// Whether a mode reads it. One that does not keeps its own value.
+/// Whether a mode reads it. One that does not, or whose name says it, keeps its own value.
 bool has_effect(const Setting& row, const std::vector<ModeRun>& modes, std::vector<Settings>& asked) {
   bool used = false;
   for (size_t i = 0; i < asked.size(); ++i)
-    if (row.used.met_by(asked[i]))
+    if (mode_says(modes[i].name, row.name))
+      continue;
+    else if (row.used.met_by(asked[i]))
       used = true;
     else if (row.per_mode)
       row.write(asked[i], row.read(settings_of({}, modes[i])));
@@ -24,11 +30,16 @@ bool has_effect(const Setting& row, const std::vector<ModeRun>& modes, std::vect
 
 std::vector<Assignment> apply_assignments(std::span<const Assignment> assignments, Settings& shared,
                                           std::vector<ModeRun>& modes) {
-  for (const Assignment& each : assignments) apply_setting(shared, each.text);
+  for (const Assignment& each : assignments) {
+    apply_setting(shared, each.text);
+    if (std::ranges::all_of(modes, [&](const ModeRun& run) { return mode_says(run.name, each.row().name); }))
+      throw SettingError(each.text + " has no effect: every mode here says its own");
+  }
   std::vector<Settings> asked;
   for (const ModeRun& run : modes) {
     Settings& settings = asked.emplace_back(settings_of(shared, run));
-    for (const Assignment& each : assignments) apply_setting(settings, each.text);
+    for (const Assignment& each : assignments)
+      if (!mode_says(run.name, each.row().name)) apply_setting(settings, each.text);
   }
   std::vector<Assignment> unused;
   for (const Assignment& each : assignments)

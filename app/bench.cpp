@@ -83,7 +83,7 @@ void bench(const CommandLine& line, Console& console) {
     console.err << "what a mode adds is its resolve, its sharpening and the motion pass ("
                 << fixed(object["motion_ms"].get<double>(), 2) << " ms); a full-screen copy took "
                 << fixed(object["copy_ms"].get<double>(), 2) << " ms; medians of the ratios and times of "
-                << rounds << " rounds\n";
+                << rounds << (rounds == 1 ? " round\n" : " rounds\n");
   if (line.alone && !line.json && !console.quiet)
     console.err << "one frame of all " << shot.modes.size() << " modes took "
                 << fixed(object["together_ms"].get<double>(), 0) << " ms, a frame of each alone "

@@ -96,11 +96,13 @@ void add_options(CLI::App& app, const CommandRow& row, CommandLine& line) {
         ->check(no_option);
   if (row.options & one_mode)
     app.add_option("--mode", line.mode,
-                   "Which temporal resolve (default " + std::string(default_taa_mode) + ")");
+                   "Which temporal resolve (default " + std::string(default_taa_mode) +
+                       "); rgb:alpha=0.05 is a row with a setting of its own");
   if (row.options & many_modes)
     app.add_option(
            "--modes", line.modes,
-           "Names with commas between them, or all; rgb:alpha=0.05 is a row with a setting of its own")
+           "Names with commas between them, or all; rgb:alpha=0.05 is a row with a setting of its own, "
+           "reject=tag+depth a list in it")
         ->delimiter(',')
         ->allow_extra_args(false)
         ->check(no_option);

@@ -28,7 +28,7 @@ void print(const CommandLine& line, Console& console, const json& object, const 
 
 std::string range_of(const Setting& row) {
   if (row.kind == SettingKind::number)
-    return fixed(row.low, 0) + " to " + fixed(row.high, 0) +
+    return fixed(row.low, row.low == std::round(row.low) ? 0 : 2) + " to " + fixed(row.high, 0) +
            (row.unit.empty() ? "" : " " + std::string(row.unit));
   std::string choices;
   for (const Answer& answer : row.answers) choices += (choices.empty() ? "" : " ") + answer.name;
@@ -94,9 +94,10 @@ std::string_view summary_of(View view) {
   case View::near_moving:
     return "Red where the history was faded because the pixel is near, moving and untagged.";
   case View::rejected:
-    return "Where the history was given up: off-screen red, tag green, near and moving violet, velocity "
-           "yellow, length of motion cyan, speed pink, depth lime, object blue, moved object orange, light "
-           "turquoise; of several the last.";
+    return "Where the history was given up, or lit anew: off-screen red, tag green, near and moving violet, "
+           "velocity "
+           "yellow, length of motion cyan, speed pink, depth lime, object blue, moved object orange, "
+           "visibility (lit anew) turquoise; of several the last.";
   case View::history:
     return "The history as it was mixed with the current frame.";
   case View::age:

@@ -6,6 +6,7 @@
 #include "app/assignments.h"
 #include "app/commands.h"
 #include "app/demo/recording_file.h"
+#include "renderer/mode_names.h"
 
 namespace unghost {
 namespace {
@@ -24,7 +25,7 @@ void check_words(const CommandLine& line) {
       throw WrongWords(std::string(word) + " does not go with --replay: " + line.replay.string() +
                        " says it");
   for (const std::string& name : named_modes(line))
-    if (name.find(':') != std::string::npos)
+    if (base_of_mode(name) != name)
       throw WrongWords(name + " does not go with --replay: " + line.replay.string() +
                        " says what each mode is set to, and --set what all of them are");
 }

@@ -13,6 +13,7 @@
 #include "app/replayed_shot.h"
 #include "app/rigs.h"
 #include "app/version.h"
+#include "renderer/mode_names.h"
 
 namespace unghost {
 namespace {
@@ -51,7 +52,7 @@ json parse_settings_file(const std::filesystem::path& path) {
 
 // Names of modes become names of files, and keys.
 void check_name(const std::string& name, const std::vector<ModeRun>& others) {
-  const bool plain = !name.empty() &&
+  const bool plain = !name.empty() && name.front() != '.' &&
                      name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789-:=+.") == std::string::npos;
   if (!plain || name == "reference") throw SettingError("'" + name + "' is no name of a mode");
   if (std::ranges::count(others, name, &ModeRun::name) > 0) throw SettingError("it has " + name + " twice");
@@ -179,10 +180,13 @@ void refuse_jitter(const CommandLine& line, const std::vector<Assignment>& assig
   for (const Assignment& each : assignments)
     if (each.row().name == "jitter")
       refuse(line, each.of_file,
-             each.text + " has no effect: all modes that jitter are measured with the same ten points of R2");
+             each.text + " has no effect: all modes that jitter are measured with the same ten points of R2, "
+                         "scaled as each has it");
   for (const ModeRun& run : modes)
-    if (run.name.find(":jitter=") != std::string::npos)
-      throw SettingError(run.name + ": all modes that jitter are measured with the same ten points of R2");
+    if (mode_says(run.name, "jitter"))
+      throw SettingError(
+          run.name +
+          ": all modes that jitter are measured with the same ten points of R2, scaled as each has it");
 }
 
 // Run times compare the modes on the same geometry, which a jitter would move.
@@ -193,7 +197,8 @@ void drop_jitter(const CommandLine& line, const std::vector<Assignment>& assignm
              each.text + " has no effect: " + shot.command +
                  " draws all modes without jitter, so that they share their geometry");
   for (const ModeRun& run : shot.modes)
-    if (run.name.find("jitter") != std::string::npos)
+    if (mode_says(run.name, "jitter") || mode_says(run.name, "jitter-scale") ||
+        mode_says(run.name, "jitter-moving"))
       throw SettingError(run.name + ": " + shot.command +
                          " draws all modes without jitter, so that they share their geometry");
   for (ModeRun& run : shot.modes) run.taa.policy.jitter = Jitter::none;

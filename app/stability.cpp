@@ -11,6 +11,7 @@
 #include "app/paths.h"
 #include "app/progress.h"
 #include "app/table.h"
+#include "renderer/mode_names.h"
 
 namespace unghost {
 namespace {
@@ -132,8 +133,15 @@ StabilityRequest request_from(const CommandLine& line) {
                            .begins = {},
                            .ends = {}};
   const std::vector<ModeRun> modes = stability_modes();
-  for (const ModeRun* mode : chosen(std::span<const ModeRun>(modes), line.modes, "mode"))
-    request.modes.push_back(*mode);
+  std::vector<std::string> rows;
+  for (const std::string& name : line.modes)
+    if (base_of_mode(name) == name)
+      rows.push_back(name);
+    else
+      request.modes.push_back(mode_run(name));
+  if (!rows.empty() || line.modes.empty())
+    for (const ModeRun* mode : chosen(std::span<const ModeRun>(modes), rows, "mode"))
+      request.modes.push_back(*mode);
   return request;
 }
 

@@ -80,7 +80,7 @@ void sweep(const CommandLine& line, Console& console) {
                        .dump(2)
                 << "\n";
   else if (!console.quiet)
-    console.err << done.measured << " measured, " << done.skipped << " were there\n";
+    console.err << done.measured << " measured, " << done.skipped << " there before\n";
   if (!done.failed.empty())
     throw Failure(Exit::failed, std::to_string(done.failed.size()) + " of " + std::to_string(jobs.size()) +
                                     " jobs failed; the same command tries them again");
@@ -125,7 +125,8 @@ void merge(const CommandLine& line, Console& console) {
   if (line.json)
     console.out << json{{"file", line.output}, {"scenes", results.scenes.size()}}.dump(2) << "\n";
   else if (!console.quiet)
-    console.err << results.scenes.size() << " entries: " << line.output << "\n";
+    console.err << results.scenes.size() << (results.scenes.size() == 1 ? " entry: " : " entries: ")
+                << line.output << "\n";
 }
 
 } // namespace unghost

@@ -51,7 +51,7 @@ struct LastFrame {
   ShadowVersion shadows;
   uint32_t moved_ids = 0; // FrameContext's, of that frame alone
   LastLight light;
-  float light_unit = 0;    // FrameConstants::light_unit
+  float light_unit = 0;      // FrameConstants::light_unit
   VkRect2D moving_shadows{}; // texels of the shadow map that moving casters lay in
 };
 

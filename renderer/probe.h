@@ -21,7 +21,7 @@ struct ProbeInput {
 
 /// What the resolve itself says of a pixel that had a history.
 struct ProbedHistory {
-  glm::vec3 found{0};    // linear, as it was read
+  glm::vec3 found{0};    // linear, as it was read, and lit anew where light changed
   glm::vec3 bounded{0};  // after rectification, in the mode's colour space and weighting
   float moved = 0;       // by the rectification: 1 by a tenth of itself or more
   bool rectified = true; // or left alone, where only the unknown is bounded
@@ -36,7 +36,7 @@ struct ProbedPixel {
   ModeRun mode;
   float exposure = 1;                 // what colours are multiplied by before the tone map
   std::array<glm::vec3, 9> colours{}; // `lit` of the pixel and its neighbours, row by row; the edge goes on
-  glm::vec3 mixed_in{0};              // of the new frame: the pixel itself, or filtered about its middle
+  glm::vec3 mixed_in{0};              // of the new frame: the pixel itself, or interpolated at its middle
   glm::vec3 resolved{0};
   float depth_m = 0;
   glm::vec2 motion_px{0};

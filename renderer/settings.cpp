@@ -6,6 +6,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "renderer/mode_names.h"
+
 namespace unghost {
 namespace {
 
@@ -119,24 +121,22 @@ Settings settings_for_mode(std::string_view mode) {
 }
 
 ModeRun mode_run(const std::string& text) {
-  size_t colon = std::min(text.find(':'), text.size());
-  Settings settings = settings_for_mode(text.substr(0, colon));
+  Settings settings = settings_for_mode(base_of_mode(text));
   std::vector<const Setting*> changed;
-  while (colon < text.size()) {
-    const size_t next = std::min(text.find(':', colon + 1), text.size());
-    std::string assignment = text.substr(colon + 1, next - colon - 1);
-    std::ranges::replace(assignment, '+', ','); // which parts the modes
-    apply_setting(settings, assignment);
-    changed.push_back(&find_setting(assignment.substr(0, assignment.find('='))));
-    if (!changed.back()->per_mode)
-      throw SettingError(in_quotes(text) + ": " + std::string(changed.back()->name) +
+  for (const std::string& change : changes_of_mode(text)) {
+    apply_setting(settings, change);
+    const Setting& row = *changed.emplace_back(&find_setting(change.substr(0, change.find('='))));
+    if (!row.per_mode)
+      throw SettingError(in_quotes(text) + ": " + std::string(row.name) +
                          " is not a mode's own; --set sets it for all");
-    colon = next;
   }
-  for (const Setting* row : changed)
+  for (const Setting* row : changed) {
+    if (std::ranges::count(changed, row) > 1)
+      throw SettingError(in_quotes(text) + " says " + std::string(row->name) + " more than once");
     if (!row->used.met_by(settings))
       throw SettingError(in_quotes(text) + ": " + std::string(row->name) +
                          " has no effect: " + std::string(row->used.otherwise));
+  }
   return {.name = text, .taa = settings.taa};
 }
 
@@ -159,8 +159,8 @@ std::optional<std::string> refusal(const Settings& settings) {
   for (const Setting& row : settings_table())
     if (row.per_mode && row.kind != SettingKind::number && !row.used.met_by(settings) &&
         row.read(settings) != row.read(Settings{}))
-      return std::string(row.name) + "=" + row.get(settings) +
-             " has no effect: " + std::string(row.used.otherwise);
+      return "blend=current keeps no history, for which " + std::string(row.name) + "=" + row.get(settings) +
+             " is; a row without one is off";
   return std::nullopt;
 }
 

@@ -41,12 +41,12 @@ constexpr Condition jitters{[](const Settings& s) { return s.taa.policy.jitter !
                             "jitter=none does not move the samples"};
 constexpr Condition rectifies{
     [](const Settings& s) { return s.taa.policy.needs_history() && s.taa.policy.rectify != Rectify::none; },
-    "rectify=none has no volume"};
+    "rectify=none bounds nothing"};
 constexpr Condition overshoots{[](const Settings& s) {
                                  return s.taa.policy.needs_history() &&
                                         s.taa.policy.history >= HistoryFilter::catmull_rom;
                                },
-                               "only the Catmull-Rom filters overshoot"};
+                               "only the Catmull-Rom filters are cubics, and overshoot"};
 constexpr Condition has_axes{
     [](const Settings& s) { return s.taa.policy.needs_history() && s.taa.policy.uses_dop(); },
     "only rectify=dop-clip and dop-variance have axes"};

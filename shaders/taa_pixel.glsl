@@ -20,7 +20,7 @@ struct Resolve {
   uint causes;   // of the history's rejection, in whole or in part: bits of `reject`
   float rectified;  // how far the history was moved: 1 by a tenth of itself or more
   vec3 history;     // as it was used
-  vec3 found, bounded;  // for the probe: as it was read, linear; rectified, in the working space
+  vec3 found, bounded;  // for the probe: as it was read or lit anew, linear; rectified, in the working space
   vec3 mixed_in;     // of the frame
   bool has_history, bounds;  // for the probe: it was bounded by colours
 };

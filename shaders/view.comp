@@ -55,7 +55,7 @@ vec3 shown(vec3 colour) { return display_from_linear(colour * frame.exposure); }
 vec4 why_at(ivec2 pixel) { return texelFetch(why_map, min(pixel, textureSize(why_map, 0) - 1), 0); }
 uint causes_at(ivec2 pixel) { return uint(why_at(pixel).b) & ((1u << TAA_CLASS_SHIFT) - 1); }
 uint class_at(ivec2 pixel) { return uint(why_at(pixel).b) >> TAA_CLASS_SHIFT; }
-vec3 marked(vec3 picture, bool is) { return is ? mix(picture, red, 0.75) : picture; }
+vec3 marked(vec3 grey, bool is) { return is ? mix(grey, red, 0.75) : grey; }
 
 /// A colour a cause; the last of several.
 vec3 cause_colour(uint causes) { return hue(float(findMSB(causes)) * 0.381966); }
@@ -123,10 +123,10 @@ vec3 draw(ivec2 pixel) {
   case view_volume: return vec3(pow(box_volume(pixel), 1.0 / 3));
   case view_light_channel: return light_colour(texelFetch(irradiance_map, pixel, 0).r);
   case view_pixel_class: return class_colour(class_at(pixel), picture);
-  case view_rejected: return mix(picture, cause_colour(causes_at(pixel)), causes_at(pixel) != 0 ? 0.75 : 0);
-  case view_rectified: return marked(picture, why_at(pixel).g > 0.1);
-  case view_tag_rejected: return marked(picture, (causes_at(pixel) & reject_tag) != 0);
-  case view_near_moving: return marked(picture, (causes_at(pixel) & reject_near_moving) != 0);
+  case view_rejected: return mix(grey, cause_colour(causes_at(pixel)), causes_at(pixel) != 0 ? 0.75 : 0);
+  case view_rectified: return marked(grey, why_at(pixel).g > 0.1);
+  case view_tag_rejected: return marked(grey, (causes_at(pixel) & reject_tag) != 0);
+  case view_near_moving: return marked(grey, (causes_at(pixel) & reject_near_moving) != 0);
   default: return picture;
   }
 }

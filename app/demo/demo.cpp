@@ -13,6 +13,7 @@
 #include "app/label.h"
 #include "app/png_file.h"
 #include "app/shot.h"
+#include "renderer/mode_names.h"
 #include "renderer/spelling.h"
 
 namespace unghost {
@@ -37,9 +38,9 @@ DemoState state_from(const CommandLine& line, Console& console) {
   if (!named) return state;
   state.settings = shot.settings;
   state.arrangement = Arrangement::single;
-  for (size_t mode = 0; mode < state.modes.size(); ++mode)
-    if (state.modes[mode].name == shot.modes.front().name)
-      show_mode(state, mode), state.modes[mode] = shot.modes.front();
+  const size_t mode = place_of_mode(state, base_of_mode(shot.modes.front().name));
+  show_mode(state, mode);
+  state.modes[mode].taa = shot.modes.front().taa;
   return state;
 }
 

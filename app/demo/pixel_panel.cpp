@@ -71,7 +71,8 @@ std::string causes_of(const ProbedPixel& pixel) {
 
 std::string weight_of(const ProbedPixel& pixel) {
   std::string words = number(double(pixel.weight));
-  if (pixel.mode.taa.policy.blend == Blend::counting)
+  const Blend blend = pixel.mode.taa.policy.blend;
+  if (blend == Blend::counting || blend == Blend::speed)
     words += ", of " + fixed(double(pixel.count), 0) + " frames";
   return words;
 }
@@ -91,7 +92,8 @@ void draw_colours(const ProbedPixel& pixel, const Rectification& r) {
                "The same at the pixel's middle, as far as that is taken: what is mixed in.");
   if (pixel.history) {
     colour_row("history", glm::dvec3(pixel.history->found), pixel.exposure,
-               "As it was read, before anything bounds it; the ring in the planes.", history_ink);
+               "As it was read, or lit anew, before anything bounds it; the ring in the planes.",
+               history_ink);
     colour_row("rectified", from_working(policy, glm::dvec3(pixel.history->bounded)), pixel.exposure,
                "What the neighbourhood's volume leaves of it; the disc in the planes.", rectified_ink);
   }
@@ -110,7 +112,8 @@ void draw_colours(const ProbedPixel& pixel, const Rectification& r) {
 
 void draw_place(const ProbedPixel& pixel) {
   text_row("weight", weight_of(pixel), "Of the new frame in the result; the rest is the rectified history.");
-  text_row("rejected", causes_of(pixel), "Which tests gave up the history, in whole or in part.");
+  text_row("rejected", causes_of(pixel),
+           "Which tests gave up the history, in whole or in part; by visibility it was lit anew.");
   if (pixel.history) {
     text_row("read at", pixels(pixel.history->at_px),
              "Where the history was read; pixels' centres are at .5.");

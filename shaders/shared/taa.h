@@ -99,7 +99,7 @@ SHARED_CONSTANT TAA_CLASS_MIXED = 2;
 SHARED_CONSTANT TAA_CLASS_MOVING = 4;
 
 /// What it writes of the one pixel: a texel each, of four floats.
-SHARED_CONSTANT TAA_PROBE_FOUND = 0;    // linear colour of the history as it was read; which of 3x3 speaks for it
+SHARED_CONSTANT TAA_PROBE_FOUND = 0;    // linear colour of the history as it was read, or lit anew; which of 3x3 speaks for it
 SHARED_CONSTANT TAA_PROBE_BOUNDED = 1;  // the same after rectification, in the working space; weight of the frame
 SHARED_CONSTANT TAA_PROBE_WHY = 2;      // how far it was moved; causes and class; frames that it holds; 1: there is a history
 SHARED_CONSTANT TAA_PROBE_INPUT = 3;    // linear colour of the frame that is mixed in; 1: colours bound the history

@@ -56,6 +56,18 @@ TEST(Shot, WordsWin) {
   EXPECT_EQ(shot.seed, 9u);
 }
 
+TEST(Shot, WhatAModesNameSaysWinsOverTheWords) {
+  const Shot shot = shot_of({"compare", "--modes", "unghost,unghost:alpha=0.2", "--set", "alpha=0.1"});
+  EXPECT_EQ(shot.modes[0].taa.alpha, 0.1f);
+  EXPECT_EQ(shot.modes[1].taa.alpha, 0.2f);
+  EXPECT_NE(complaint({"compare", "--modes", "unghost:alpha=0.2,rgb:alpha=0.3", "--set", "alpha=0.1"})
+                .find("alpha=0.1 has no effect: every mode here says its own"),
+            std::string::npos);
+  EXPECT_NE(complaint({"compare", "--modes", "rgb-var:gamma=2,rgb", "--set", "gamma=1"}).find("no variance"),
+            std::string::npos)
+      << "no other has a use for it";
+}
+
 TEST(Shot, ASettingReachesTheModesThatUseIt) {
   const Shot shot = shot_of(
       {"compare", "--modes", "off,blend,grand-tour", "--set", "history=catmull-rom", "--set", "near=4"});

@@ -98,6 +98,16 @@ TEST(StabilityCommand, OneCellByNameAndTheSameAgain) {
   EXPECT_EQ(object["cells"][0].at("case"), "chance");
 }
 
+TEST(StabilityCommand, ARowWithASettingOfItsOwnIsAModeToo) {
+  const Outcome run = outcome({"stability", "--brief", "--case", "chance", "--modes", "rgb:alpha=0.3,unghost",
+                               "--trial", "7", "--json", "-q"});
+  ASSERT_EQ(run.exit, 0) << run.err;
+  const json cells = json::parse(run.out).at("cells");
+  ASSERT_EQ(cells.size(), 2u);
+  EXPECT_EQ(cells[0].at("mode"), "rgb:alpha=0.3");
+  EXPECT_EQ(cells[1].at("mode"), "unghost");
+}
+
 TEST(StabilityCommand, WordsThatCannotWork) {
   EXPECT_EQ(outcome({"stability", "--brief", "--long"}).exit, 2);
   const Outcome wrong = outcome({"stability", "--case", "constnat"});

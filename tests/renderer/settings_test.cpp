@@ -6,6 +6,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "renderer/mode_names.h"
+
 namespace unghost {
 namespace {
 
@@ -106,8 +108,20 @@ TEST(Settings, AModeMayHaveSettingsOfItsOwn) {
                                   {"rgb:", "name=value"},
                                   {"rgb:alpha=0.2:", "name=value"},
                                   {"rgb:sun=0.2", "not a mode's own"},
-                                  {"rgb:gamma=2", "gamma has no effect"}})
+                                  {"rgb:gamma=2", "gamma has no effect"},
+                                  {"rgb:alpha=0.2:alpha=0.3", "alpha more than once"}})
     EXPECT_NE(complaint([&] { mode_run(text); }).find(why), std::string::npos) << text;
+}
+
+TEST(Settings, NamesOfModesAreTakenApart) {
+  EXPECT_EQ(base_of_mode("rgb"), "rgb");
+  EXPECT_TRUE(changes_of_mode("rgb").empty());
+  EXPECT_EQ(base_of_mode("rgb:alpha=0.05:reject=tag+depth"), "rgb");
+  EXPECT_EQ(changes_of_mode("rgb:alpha=0.05:reject=tag+depth"),
+            (std::vector<std::string>{"alpha=0.05", "reject=tag,depth"}));
+  EXPECT_EQ(changes_of_mode("rgb:"), std::vector<std::string>{""});
+  EXPECT_TRUE(mode_says("rgb:jitter-scale=0.5", "jitter-scale"));
+  EXPECT_FALSE(mode_says("rgb:jitter-scale=0.5", "jitter"));
 }
 
 TEST(Settings, NumbersOutsideTheirRangeAreRefused) {

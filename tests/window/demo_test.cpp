@@ -241,6 +241,13 @@ TEST_F(DemoKeys, ASignalEndsItAndLosesNoBookmark) {
   }
 }
 
+TEST_F(DemoKeys, AModeWithASettingOfItsOwnIsItsRowWithThat) {
+  DemoRun run = started(small, {"--mode", "blend:alpha=0.25"});
+  EXPECT_EQ(run.ready()["state"]["shown"], "blend");
+  EXPECT_EQ(run.ready()["state"]["modes"]["blend"]["alpha"], 0.25);
+  expect_left_in_silence(run);
+}
+
 TEST_F(DemoKeys, AModeThatIsAskedForIsNotComparedWithItselfOnTheNextStart) {
   configure({{"compared", {"blend"}}});
   for (const Words& words : {Words{"--mode", "blend"}, Words{}}) {

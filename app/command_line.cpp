@@ -86,9 +86,8 @@ void add_flip(CLI::App& app, FlipWords& flip) {
       ->check(CLI::Range(0u, most_threads));
 }
 
-void add_options(CLI::App& app, const CommandRow& row, CommandLine& line) {
-  if (row.options & drawing) add_drawing(app, line, (row.options & rounds_only) == 0);
-  if (row.options & device) add_device(app, line);
+/// Which modes, or a path that has its own.
+void add_modes(CLI::App& app, const CommandRow& row, CommandLine& line) {
   if (row.options & replayed)
     app.add_option("--replay", line.replay,
                    "A path that the demo recorded: scene, rig, sizes, settings and modes are its own; --set "
@@ -106,12 +105,9 @@ void add_options(CLI::App& app, const CommandRow& row, CommandLine& line) {
         ->delimiter(',')
         ->allow_extra_args(false)
         ->check(no_option);
-  if (row.options & picture) app.add_option("-o,--output", line.output, "The picture; - is standard output");
-  if (row.options & frames_out) add_frames_out(app, line);
-  if (row.options & crops)
-    app.add_flag_function(
-        "--crops,!--no-crops", [&line](int64_t count) { line.crops = count > 0; },
-        "Enlarge where the modes differ most");
+}
+
+void add_rounds(CLI::App& app, const CommandRow& row, CommandLine& line) {
   if (row.options & (timed | figures))
     app.add_option("--rounds", line.rounds,
                    "Of all modes in turns, timed (default 31; the full protocol: 1000)")
@@ -121,6 +117,19 @@ void add_options(CLI::App& app, const CommandRow& row, CommandLine& line) {
                    "Of the frame and of what it was made without, in turns (default " +
                        std::to_string(explain_rounds) + ")")
         ->check(CLI::Range(1u, most_frames));
+}
+
+void add_options(CLI::App& app, const CommandRow& row, CommandLine& line) {
+  if (row.options & drawing) add_drawing(app, line, (row.options & rounds_only) == 0);
+  if (row.options & device) add_device(app, line);
+  add_modes(app, row, line);
+  if (row.options & picture) app.add_option("-o,--output", line.output, "The picture; - is standard output");
+  if (row.options & frames_out) add_frames_out(app, line);
+  if (row.options & crops)
+    app.add_flag_function(
+        "--crops,!--no-crops", [&line](int64_t count) { line.crops = count > 0; },
+        "Enlarge where the modes differ most");
+  add_rounds(app, row, line);
   if (row.options & rounds_only)
     app.add_flag("--alone,!--no-alone", line.alone,
                  "Also draw each mode in frames of its own: what sharing the geometry saves");

@@ -187,6 +187,14 @@ std::vector<uint8_t> changes_of(LastFrame& before, const std::vector<ModeRun>& m
   return changed;
 }
 
+/// Of light, and of what mirrors it.
+void describe_changes(FrameContext& in, FrameConstants& constants, const FrameInput& input,
+                      const LightNow& light, LastLight& before) {
+  in.light_changes = describe_light_changes(constants, input, light, before);
+  in.mirrors_change = in.camera_moved || in.moved_ids != 0 || in.light_changes;
+  constants.mirrors_change = in.mirrors_change;
+}
+
 /// The frame once for each jitter. `given` says how all moves, of which a cut is nothing; `input` what is
 /// there of the frame before.
 FrameSetup by_jitter(FrameGraph& graph, const FrameInput& given, const FrameInput& input,
@@ -254,14 +262,12 @@ FrameSetup describe_frame(FrameGraph& graph, const FrameInput& given, const Scen
                   .timed = input.timed};
   const MovingShadows shadows = list_draws(graph, in, constants, gpu, objects);
   in.shadows_moved_before = std::exchange(before.moving_shadows, shadows.now);
-  in.light_changes = describe_light_changes(constants, input,
-                                            {.swept_shadows = shadows.swept,
-                                             .map_place = map_place,
-                                             .lamps_moved = objects.lamps_moved,
-                                             .objects_moved = in.in_view.anything_moved},
-                                            before.light);
-  in.mirrors_change = in.camera_moved || in.moved_ids != 0 || in.light_changes;
-  constants.mirrors_change = in.mirrors_change;
+  describe_changes(in, constants, input,
+                   {.swept_shadows = shadows.swept,
+                    .map_place = map_place,
+                    .lamps_moved = objects.lamps_moved,
+                    .objects_moved = in.in_view.anything_moved},
+                   before.light);
   return by_jitter(graph, given, input, in, constants, memory);
 }
 

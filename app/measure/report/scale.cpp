@@ -76,7 +76,10 @@ void Scale::make_log(double low, double high, bool with_zero, double knee) {
   }
   if (with_zero) ticks_.push_back({(*this)(0), "0"});
   add_log_ticks(low_, knee_);
-  if (ticks_.size() < (with_zero ? 3 : 2)) add_linear_ticks();
+  if (const size_t zeros = with_zero ? 1 : 0; ticks_.size() < zeros + 2) {
+    ticks_.resize(zeros); // the one that is there would be written over: 5 and 5.0
+    add_linear_ticks();
+  }
   if (knee > 0) add_log_ticks(knee_ + 0.12 * (high_ - knee_), high_);
 }
 

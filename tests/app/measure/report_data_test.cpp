@@ -106,6 +106,10 @@ TEST(Scales, EveryTickLiesOnItAndSaysWhereItIs) {
         EXPECT_TRUE(tick.at > -1e-9 && tick.at < 1 + 1e-9) << tick.text;
         EXPECT_NEAR(scale(std::stod(tick.text)), tick.at, 1e-6) << tick.text;
       }
+      std::vector<Tick> ticks = scale.ticks();
+      std::ranges::sort(ticks, {}, &Tick::at);
+      for (size_t i = 1; i < ticks.size(); ++i) // none is written over another
+        EXPECT_GT(ticks[i].at - ticks[i - 1].at, 0.02) << ticks[i - 1].text << " and " << ticks[i].text;
       for (const double value : values)
         EXPECT_TRUE(std::isnan(value) || (scale(value) >= 0 && scale(value) <= 1)) << value;
     }

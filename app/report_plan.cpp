@@ -29,7 +29,7 @@ std::vector<std::string> rigs_of(const CommandLine& line) {
   return names;
 }
 
-/// What --modes is told. Without jitter, as times are taken, rows that change it are none.
+/// What --modes is told.
 std::vector<std::string> modes_of(const CommandLine& line, bool jittered) {
   std::vector<std::string> modes = line.modes;
   if (!line.report.ablation) return modes;
@@ -39,7 +39,7 @@ std::vector<std::string> modes_of(const CommandLine& line, bool jittered) {
   };
   if (std::ranges::count(modes, "all") == 0) add(std::string(ablated_row));
   for (const Part& part : parts())
-    if (jittered || !part.change.starts_with("jitter")) add(name_without(part));
+    if (jittered || !changes_jitter(part.change)) add(name_without(part));
   return modes;
 }
 

@@ -1,10 +1,11 @@
 // `report --ablation`: every part is one that the row has, is measured, and is explained.
 #include "app/measure/report/ablation.h"
 
+#include <set>
+
 #include <gtest/gtest.h>
 
 #include "app/command_line.h"
-#include "app/measure/report/variants.h"
 #include "app/report_plan.h"
 #include "renderer/settings.h"
 #include "tests/app/report_sample.h"
@@ -32,6 +33,26 @@ TEST(Ablation, TakesOutWhatTheRowHas) {
     ASSERT_NO_THROW(without = mode_run(name_without(part))) << part.change;
     EXPECT_FALSE(without.taa == row) << part.change << ": the row does without it";
   }
+}
+
+TEST(Ablation, TakesSpeedOutByTheRowsOwnAlpha) {
+  const TaaSettings row = find_taa_mode(ablated_row)->settings;
+  const Part* speed = find_part("unghost:fast-alpha=0.08");
+  ASSERT_NE(speed, nullptr);
+  TaaSettings without = row;
+  without.fast_alpha = row.alpha; // what is fast weighs as all else
+  EXPECT_TRUE(mode_run(name_without(*speed)).taa == without);
+}
+
+TEST(Ablation, CallsEachPartByANameOfItsOwn) {
+  std::set<std::string_view> names;
+  for (const Part& part : parts()) {
+    EXPECT_TRUE(part.name.starts_with("with")) << part.name;
+    EXPECT_TRUE(names.insert(part.name).second) << part.name;
+    EXPECT_EQ(find_part(name_without(part)), &part);
+  }
+  EXPECT_EQ(find_part("unghost"), nullptr);
+  EXPECT_EQ(find_part("unghost-safe:ringing=kept"), nullptr);
 }
 
 TEST(Ablation, IsMeasuredOnEveryRigAndTimedWhereItCanBe) {
@@ -63,7 +84,8 @@ TEST(Ablation, ExplainsThePartsThatWereMeasured) {
                                           "unghost:alpha=0.2"};
   const std::string html = parts_explained(names);
   EXPECT_NE(html.find("<code>ringing=kept</code>"), std::string::npos);
-  EXPECT_NE(html.find("<code>reject=off-screen,visibility</code>"), std::string::npos);
+  EXPECT_NE(html.find("<code>reject=off-screen+visibility</code>"), std::string::npos);
+  EXPECT_NE(html.find("without moved objects"), std::string::npos);
   EXPECT_EQ(html.find("zoom-weight"), std::string::npos);
   EXPECT_EQ(parts_explained(std::vector<std::string>{"unghost:alpha=0.2"}), "");
 }

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "app/files.h"
+#include "app/measure/report/ablation.h"
 #include "app/measure/report/embedded.h"
 #include "tests/app/report_sample.h"
 #include "tests/app/scratch_folder.h"
@@ -180,6 +181,25 @@ TEST_F(ReportBrowser, TheSliderMovesAndShowsWhatIsChosen) {
        {std::string("clip=inset(0px 75% 0px 0px);"), "choices=" + choices + ",unghost;",
         std::string("picture=true;"), std::string("map=true;"), std::string("reference=true;")})
     EXPECT_NE(shown.document.find(said), std::string::npos) << said;
+}
+
+TEST_F(ReportBrowser, TheTablesOfPartsFitThePage) {
+  ReportSample sample({"pass"});
+  Measured& m = sample.results.scenes.front();
+  const MeasuredMode row = *std::ranges::find(m.rows, ablated_row, &MeasuredMode::mode);
+  for (const Part& part : parts()) {
+    m.rows.push_back(row);
+    m.modes.emplace_back(m.rows.back().mode = name_without(part), nlohmann::json::object());
+    for (auto& [figure, value] : m.rows.back().figures) value *= 5; // +400%
+  }
+  page = report_page(sample.results, ReportSample::picture, {});
+  const Shown shown = drive(R"js(
+    const table = document.querySelector("table.variants"), room = table.parentElement;
+    say("columns", table.tHead.rows[0].cells.length);
+    say("fits", room.scrollWidth <= room.clientWidth && table.rows.length > 10); )js");
+  EXPECT_EQ(shown.messages, "");
+  EXPECT_NE(shown.document.find("columns=11;fits=true;"), std::string::npos)
+      << shown.document.substr(shown.document.find("id=\"said\""), 300);
 }
 
 // Names from files, where a browser would act on them.

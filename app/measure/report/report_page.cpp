@@ -104,10 +104,12 @@ std::string body_of(const Results& all, const FindPicture& pictures, const PageN
   std::string cases;
   for (size_t i = 0; i < results.scenes.size(); ++i)
     cases += case_section(results.scenes[i], results, looks, pictures, "case-" + std::to_string(i + 1), data);
+  const std::string variants = variants_section(all);
+  const bool first = is_of_variants(all); // who asks for parts alone need not look for them
   return "<main>\n<header><h1>What each mode costs, and what it leaves behind</h1>\n" +
-         summary_section(results, looks) + "</header>\n" +
+         lead_section(results) + (first ? variants : "") + worth_section(results, looks) + "</header>\n" +
          (notes.baseline ? baseline_section(*notes.baseline, looks) : "") + case_links(results) +
-         (looks.empty() ? "" : key_of(looks)) + cases + variants_section(all) +
+         (looks.empty() ? "" : key_of(looks)) + cases + (first ? "" : variants) +
          "<section id=\"paper\"><h2>Beside the paper</h2>\n" + paper_section(results, notes) +
          "</section>\n" + (notes.stability ? stability_section(*notes.stability, looks) : "") +
          "<section id=\"origin\"><h2>Device and settings</h2>\n" + origin_section(results) +

@@ -15,8 +15,10 @@ std::string case_name(const Measured& m, const Results& among);
 /// A mode's mark and name.
 std::string mode_html(const std::string& mode, const Looks& looks);
 
+/// What was measured on what, and what to beware of.
+std::string lead_section(const Results& results);
 /// What to take from all of it.
-std::string summary_section(const Results& results, const Looks& looks);
+std::string worth_section(const Results& results, const Looks& looks);
 /// Which modes are worth their time, a line a figure.
 std::string fronts_table(const Measured& m, const Looks& looks);
 /// What has changed since other results.

@@ -185,8 +185,13 @@ std::string fronts_table(const Measured& m, const Looks& looks) {
          html + "</tbody></table></div>\n" + lent + aliased_is_nearest(m);
 }
 
-std::string summary_section(const Results& results, const Looks& looks) {
+std::string lead_section(const Results& results) {
   if (results.scenes.empty()) return "<p class=\"lead\">Nothing was measured.</p>\n";
+  return measured_on(results) + warnings(results);
+}
+
+std::string worth_section(const Results& results, const Looks& looks) {
+  if (results.scenes.empty()) return {};
   std::string rows;
   std::set<std::string> seen;
   for (const FigureKind* kind : judged_by()) {
@@ -195,12 +200,10 @@ std::string summary_section(const Results& results, const Looks& looks) {
     for (const Standing& one : all) seen.insert(one.mode);
     if (!all.empty()) rows += standings_row(*kind, all, cases, looks);
   }
-  std::string html = measured_on(results) + warnings(results);
   if (rows.empty())
-    return html + "<p>No mode has both a time and an error, so nothing is said of what is worth it.</p>\n";
+    return "<p>No mode has both a time and an error, so nothing is said of what is worth it.</p>\n";
   const bool many = results.scenes.size() > 1;
-  return html +
-         "<h2 id=\"worth\">Worth having</h2><p>A mode is worth its time if no other is better and no "
+  return "<h2 id=\"worth\">Worth having</h2><p>A mode is worth its time if no other is better and no "
          "dearer, or as good and cheaper: if it lies on the Pareto front" +
          std::string(many ? ", here with the number of rigs and sizes where it does" : "") +
          ". Times that the rounds do not tell apart, and figures that read alike, are equal.</p>\n<div "

@@ -10,12 +10,12 @@ namespace unghost {
 
 /// Whether `mode` is another one of `m` with other settings.
 bool is_variant(const Measured& m, const std::string& mode);
-/// What it changes, as `--set` takes it, with commas between several.
-std::string change_of(const std::string& mode);
 /// All else.
 Results without_variants(Results results);
-/// By changed row, a table a figure: how much more or less of it there is with each change, in each case.
-/// Empty where no row was changed.
+/// Whether there is nothing but variants and the rows that they change.
+bool is_of_variants(const Results& results);
+/// By changed row, a table a case: a line a variant, a column a figure, and in it how much more or less there
+/// is. Empty where no row was changed.
 std::string variants_section(const Results& results);
 
 } // namespace unghost

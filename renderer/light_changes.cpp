@@ -1,6 +1,7 @@
 #include "renderer/light_changes.h"
 
 #include "renderer/sun.h"
+#include "shaders/shared/shadow.h"
 
 namespace unghost {
 
@@ -13,12 +14,13 @@ bool describe_light_changes(FrameConstants& constants, const FrameInput& input, 
   const bool underside = constants.underside_half.x > 0 && input.now.vehicle != input.before.vehicle;
   constants.light_changes = (all ? LIGHT_CHANGES_ALL : 0u) | (underside ? LIGHT_CHANGES_UNDERSIDE : 0u);
 
-  constexpr float filtered = 2; // texels by which the filter of light.comp reaches beyond
   const glm::vec2 low(now.swept_shadows.offset.x, now.swept_shadows.offset.y),
       size(now.swept_shadows.extent.width, now.swept_shadows.extent.height);
   const bool shadows = sun && size.x > 0 && size.y > 0;
-  constants.shadows_move_from = shadows ? (low - filtered) / float(shadow_texels) : glm::vec2(2); // nowhere
-  constants.shadows_move_to = shadows ? (low + size + filtered) / float(shadow_texels) : glm::vec2(2);
+  constants.shadows_move_from =
+      shadows ? (low - SHADOW_REACH_TEXELS) / float(shadow_texels) : glm::vec2(2); // nowhere
+  constants.shadows_move_to =
+      shadows ? (low + size + SHADOW_REACH_TEXELS) / float(shadow_texels) : glm::vec2(2);
   before = {.settings = input.settings.light, .map_place = now.map_place};
   return all || underside || shadows || now.objects_moved;
 }

@@ -4,6 +4,7 @@
 #include "fullscreen.glsl"
 #include "brdf.glsl"
 #include "sky.glsl"
+#include "shared/shadow.h"
 #include "shared/taa_key.h"
 
 layout(constant_id = 0) const bool has_emissive = false;
@@ -31,8 +32,7 @@ const float brightest = 60000;  // what a half float holds, and a little less
 
 /// How much of the sun is seen: 16 comparisons, weighted as a bilinear 3x3 filter of shadow texels.
 float sun_visibility(vec3 position_eye, vec3 normal) {
-  // from a little above the surface, or it would throw its shadow on itself
-  vec3 above = position_eye + normal * (1.8 * frame.shadow_texel_m);
+  vec3 above = position_eye + normal * (SHADOW_OFFSET_TEXELS * frame.shadow_texel_m);
   vec4 at = frame.shadow_from_eye * vec4(above, 1);
   vec2 edge = abs(at.xy - 0.5) * 2;
   float inside = 1 - smoothstep(0.9, 1.0, max(edge.x, edge.y));

@@ -9,11 +9,11 @@
 #include "app/measure/report/ablation.h"
 #include "app/measure/report/html.h"
 #include "app/measure/report/sections.h"
+#include "renderer/mode_names.h"
 
 namespace unghost {
 namespace {
 
-std::string base_of(const std::string& mode) { return mode.substr(0, mode.find(':')); }
 /// As --modes takes them after the mode's name and a colon.
 std::string settings_in(const std::string& mode) { return mode.substr(mode.find(':') + 1); }
 
@@ -32,7 +32,7 @@ std::vector<std::string> variants_of(const Results& results, const std::string& 
   std::vector<std::string> names;
   for (const Measured& m : results.scenes)
     for (const MeasuredMode& row : m.rows)
-      if (is_variant(m, row.mode) && base_of(row.mode) == base && std::ranges::count(names, row.mode) == 0)
+      if (is_variant(m, row.mode) && base_of_mode(row.mode) == base && std::ranges::count(names, row.mode) == 0)
         names.push_back(row.mode);
   return names;
 }
@@ -158,14 +158,14 @@ std::set<std::string> bases_in(const Results& results) {
   std::set<std::string> bases;
   for (const Measured& m : results.scenes)
     for (const MeasuredMode& row : m.rows)
-      if (is_variant(m, row.mode)) bases.insert(base_of(row.mode));
+      if (is_variant(m, row.mode)) bases.insert(base_of_mode(row.mode));
   return bases;
 }
 
 } // namespace
 
 bool is_variant(const Measured& m, const std::string& mode) {
-  return mode.find(':') != std::string::npos && row_of(m, base_of(mode)) != nullptr;
+  return mode.find(':') != std::string::npos && row_of(m, base_of_mode(mode)) != nullptr;
 }
 
 Results without_variants(Results results) {

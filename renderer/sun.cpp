@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "shaders/shared/sky.h"
+#include "shaders/shared/taa_key.h"
 
 namespace unghost {
 namespace {
@@ -46,11 +47,13 @@ void describe_light_of_keys(FrameConstants& constants, const LightSettings& ligh
                   open = of_sky + of_sun;
   constants.open_sky_light = luminance(of_sky) / constants.light_unit;
   constants.open_sun_light = luminance(of_sun) / constants.light_unit;
-  constants.sun_over_sky = glm::vec3(0);
-  if (luminance(of_sky) <= 0 || luminance(of_sun) <= 0) return; // one hue
+  constants.sky_lightness = lightness_of(constants.open_sky_light);
+  constants.open_lightness = lightness_of(constants.open_sky_light + constants.open_sun_light);
+  constants.open_over_sky = glm::vec3(0);
+  if (constants.sky_lightness <= 0 || constants.open_lightness <= constants.sky_lightness) return; // one hue
   const glm::vec3 sky_hue = of_sky / luminance(of_sky), open_hue = open / luminance(open);
-  constants.sun_over_sky =
-      (open_hue - sky_hue) / (0.5f * (open_hue + sky_hue)) * (luminance(open) / luminance(of_sun));
+  constants.open_over_sky = (open_hue - sky_hue) / (0.5f * (open_hue + sky_hue)) /
+                            (constants.open_lightness - constants.sky_lightness);
 }
 
 } // namespace

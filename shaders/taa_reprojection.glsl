@@ -83,15 +83,11 @@ void take_kept(inout Reprojected r, uint key) {
 
 bool light_changes(Around around) { return (around.own & KEY_LIGHT_CHANGES) != 0; }
 
-/// By how much of light `was` there is more of `is` (fractions), and of how much more of it the sun's share is: what the open sky
-/// has not.
-vec4 light_change(vec2 is, vec2 was) {
-  const float most_change = 16, least = 1e-6;
-  float change = is.x * was.y / max(was.x * is.y, least);
-  float sun_is = max(1 - frame.open_sky_light * is.y / max(is.x, least), 0),
-        sun_was = max(1 - frame.open_sky_light * was.y / max(was.x, least), 0);
-  vec3 tint = 1 + frame.sun_over_sky * (sun_is - sun_was);
-  return clamp(vec4(change * tint, change), 1 / most_change, most_change);
+/// By which a colour turns from the hue of sky towards that of sun and sky, with lightness between those of the two; both hues
+/// are of the open. Not from a share of light: divisions cost, and it differs from this by a tenth of the way at most.
+vec3 tint_of(float is, float was) {
+  float between = clamp(is, frame.sky_lightness, frame.open_lightness) - clamp(was, frame.sky_lightness, frame.open_lightness);
+  return 1 + frame.open_over_sky * between;
 }
 
 /// Where light may have changed, a history whose light was not between the pixel's and the mean of those around is lit anew,
@@ -104,10 +100,12 @@ void follow_light(inout Reprojected r, Around around) {
   float bounded = clamp(r.lightness, min(now, around.mean), max(now, around.mean));
   const float least_step = 0.5;  // below it lies what arithmetic leaves of even light
   if (abs(bounded - r.lightness) * KEY_LIGHT_STEPS < least_step) return;
-  vec4 change = light_change(light_fraction(bounded), light_fraction(r.lightness));
-  r.found *= change.rgb;
+  const float most_change = 16;
+  vec2 is = light_fraction(bounded), was = light_fraction(r.lightness);
+  float change = clamp(is.x * was.y / max(was.x * is.y, 1e-6), 1 / most_change, most_change);
+  r.found *= change * tint_of(bounded, r.lightness);
   r.lightness = bounded;
-  r.count *= change.a > 1 ? 1 / change.a : change.a;
+  r.count *= change > 1 ? 1 / change : change;
   r.causes |= reject_visibility;
 }
 

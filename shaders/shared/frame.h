@@ -49,7 +49,8 @@ struct FrameConstants {
   vec2 underside_swept_low, underside_swept_high;  // in its plane: what it covers, or did in the last frame
   float light_unit;             // arriving light that is 1 in keys: about what the exposure is made for
   float open_sky_light, open_sun_light;  // luminance of what arrives at a level surface in the open, in light_unit
-  vec3 sun_over_sky;            // by what share a colour changes where all of the light is the sun's and none of it was
+  float sky_lightness, open_lightness;   // of what of these arrives without and with the sun (shared/taa_key.h)
+  vec3 open_over_sky;           // by what share a colour in sun and sky differs from its in the sky alone, for each lightness
   uint light_changes;           // LIGHT_CHANGES_ bits
   uint mirrors_change;          // 0: nothing moves and no light changes, so that what glossy surfaces mirror rests
   vec2 shadows_move_from, shadows_move_to;  // of the shadow map, 0 to 1: where what moves, or did, throws its shadow

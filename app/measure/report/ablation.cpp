@@ -9,7 +9,8 @@ namespace {
 
 constexpr Part all_parts[] = {
     {"reject=off-screen+visibility", "without moved objects",
-     "A history that was another object's is given up where either of the two moves, or the picture does. "
+     "A history that was another object's is given up where either of the two moves, or, "
+     "where the picture moves, most of it was. "
      "Without it, what a vehicle uncovers shows the vehicle."},
     {"reject=off-screen+moved-object", "without light that changes",
      "A history keeps how much light fell on it, and is lit anew where another amount falls. Without it, "

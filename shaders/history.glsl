@@ -35,8 +35,8 @@ struct Filtered {
 
 ivec2 catmull_rom_corner(vec2 at) { return ivec2(floor(at - 0.5)) - 1; }
 
-/// Without the corners, the weights that remain.
-float cross_share(vec4 across, vec4 down) { return 1 - (across.x + across.w) * (down.x + down.w); }
+/// Without the corners, what makes the weights that remain one.
+float cross_scale(vec4 across, vec4 down) { return 1 / (1 - (across.x + across.w) * (down.x + down.w)); }
 
 /// 16 loads; or 12, without the corners, renormalised: the kernel of five taps.
 Filtered catmull_rom_loads(vec2 at, bool corners) {
@@ -58,7 +58,7 @@ Filtered catmull_rom_loads(vec2 at, bool corners) {
     if (ringing == ringing_clamped && (y == 1 || y == 2))
       r.low = min(r.low, min(row[1], row[2])), r.high = max(r.high, max(row[1], row[2]));
   }
-  if (!corners) r.colour /= cross_share(across, down);
+  if (!corners) r.colour *= cross_scale(across, down);
   return r;
 }
 
@@ -87,19 +87,16 @@ Filtered catmull_rom_taps(vec2 at, bool corners) {
   return r;
 }
 
-/// Catmull-Rom overshoots: not beyond the four nearest texels where that is asked for. What is no number stays so.
-vec3 bounded(Filtered r) {
-  return ringing == ringing_clamped ? mix(clamp(r.colour, r.low, r.high), r.colour, isnan(r.colour)) : r.colour;
-}
+Filtered unbounded(vec3 colour) { return Filtered(colour, colour, colour); }
 
-vec3 read_history(vec2 at) {
+Filtered read_history(vec2 at) {
   switch (history_filter) {
-  case history_nearest: return history_texel(ivec2(floor(at))).rgb;
-  case history_bilinear: return bilinear(at);
-  case history_catmull_rom_9: return bounded(catmull_rom_taps(at, true));
-  case history_catmull_rom_5: return bounded(catmull_rom_taps(at, false));
-  case history_catmull_rom_12: return bounded(catmull_rom_loads(at, false));
-  default: return bounded(catmull_rom_loads(at, true));
+  case history_nearest: return unbounded(history_texel(ivec2(floor(at))).rgb);
+  case history_bilinear: return unbounded(bilinear(at));
+  case history_catmull_rom_9: return catmull_rom_taps(at, true);
+  case history_catmull_rom_5: return catmull_rom_taps(at, false);
+  case history_catmull_rom_12: return catmull_rom_loads(at, false);
+  default: return catmull_rom_loads(at, true);
   }
 }
 

@@ -32,15 +32,15 @@ void main() {
     }
   }
   Strip s;
-  bool bounds = has_history && needs_volume(), gathers = has_history && (needs_blurred() || centres_input());
-  if (gathers || (bounds && !rectifies_unknown_only())) s = gather(first);
+  bool bounds = has_history && needs_volume();
+  if (bounds || (has_history && (needs_blurred() || centres_input()))) s = gather(first);
   else
     for (int i = 0; i < R; ++i) s.centres[i + 1] = colour_at(inside(first + ivec2(0, i)));
-  if (bounds && rectifies_unknown_only()) rectify_unknown(first, s, gathers, speakers, r, found, clipped);
-  else if (bounds) rectify_all(s, found, clipped);
+  if (bounds) rectify_histories(s, found, clipped);
   for (int i = 0; i < R; ++i) {
     ivec2 pixel = first + ivec2(0, i);
     if (pixel.y > last.y) return;
+    if (has_history && rectifies_unknown_only() && !needs_bounds(speakers[i], r[i])) clipped[i] = found[i];
     vec3 centre = s.centres[i + 1];
     Resolve result = without_history(centre, speakers[i]);
     if (has_history) {

@@ -87,7 +87,7 @@ void clip_variance_along(vec3 axis, Strip s, vec3 histories[R], inout float shar
   }
 }
 
-void rectify_all(Strip s, vec3 found[R], out vec3 bounded[R]) {
+void rectify_histories(Strip s, vec3 found[R], out vec3 bounded[R]) {
   float share[R];
   for (int i = 0; i < R; ++i) share[i] = 1e30;
   if (rectify == rectify_dop_clip || rectify == rectify_dop_variance) {
@@ -114,18 +114,6 @@ void rectify_all(Strip s, vec3 found[R], out vec3 bounded[R]) {
     else if (rectify == rectify_box_clamp || rectify == rectify_variance_clamp) bounded[i] = clamp(found[i], low[i], high[i]);
     else bounded[i] = clip_to_box(found[i], centre, min(low[i], centre), max(high[i], centre));
   }
-}
-
-/// Where no cause is known. A loop, which lanes that all know leave out as a whole; a branch would be taken by all of them.
-void rectify_unknown(ivec2 first, Strip s, bool gathered, Speaker speakers[R], Reprojected r[R], vec3 found[R], inout vec3 bounded[R]) {
-  bool any_unknown = false;
-  for (int i = 0; i < R; ++i) any_unknown = any_unknown || needs_bounds(speakers[i], r[i]);
-  for (uint round = any_unknown ? 0 : 1; round < 1; ++round) {
-    if (!gathered) s = gather(first);
-    rectify_all(s, found, bounded);
-  }
-  for (int i = 0; i < R; ++i)
-    if (!needs_bounds(speakers[i], r[i])) bounded[i] = found[i];
 }
 
 #endif

@@ -70,7 +70,7 @@ vec3 catmull_rom_cross_in(Window w, int i, vec2 at) {
       sum += inner_down[y] * (outer[0] * w.texels[row] + outer[1] * w.texels[row + 1] + outer[3] * w.texels[row + 3] +
                               outer[4] * w.texels[row + 4]);
   }
-  return sum / cross_share(across, down);
+  return sum * cross_scale(across, down);
 }
 
 /// The bounds of the four texels around `at`.
@@ -110,7 +110,7 @@ void read_shared_histories(inout Reprojected r[R]) {
     for (int i = 0; i < R; ++i) {
       ivec2 off = corners[i] - w.corner;
       if (!done[i] && all(greaterThanEqual(off, ivec2(0))) && all(lessThanEqual(off, ivec2(1)))) {
-        take_history(r[i], bounded(filtered_in(w, i, r[i].at)));
+        take_history(r[i], filtered_in(w, i, r[i].at));
         if (reads_alpha()) r[i].alphas = alphas_in(w, i, greaterThan(off, ivec2(0)));
         done[i] = true;
       }

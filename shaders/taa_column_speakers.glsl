@@ -40,7 +40,8 @@ void speakers_by_rank(ivec2 first, out Speaker speakers[R]) {
   }
 }
 
-/// What the keys of a row of three have in common, and which is the closest.
+/// What the keys of a row of three have in common, and which is the closest: of those as close the highest object, then the
+/// first.
 struct KeyRow {
   uint most, least, ids, sum;
   int column;
@@ -48,12 +49,11 @@ struct KeyRow {
 
 KeyRow key_row(uint a, uint b, uint c, ivec3 columns) {
   KeyRow r;
-  r.most = a, r.column = columns.x;
-  if (rank_of_key(b) > rank_of_key(r.most)) r.most = b, r.column = columns.y;
-  if (rank_of_key(c) > rank_of_key(r.most)) r.most = c, r.column = columns.z;
+  r.most = max(max(a, b), c);
+  r.column = r.most == a ? columns.x : r.most == b ? columns.y : columns.z;
   r.least = min(min(a, b), c);
   r.ids = id_bit_of_key(a) | id_bit_of_key(b) | id_bit_of_key(c);
-  r.sum = light_step_of(a) + light_step_of(b) + light_step_of(c);
+  r.sum = light_bits_of(a) + light_bits_of(b) + light_bits_of(c);
   return r;
 }
 
@@ -74,12 +74,11 @@ void speakers_by_key(ivec2 first, out Speaker speakers[R]) {
     rows[y] = key_row(key_at(ivec2(columns.x, at)), own[y], key_at(ivec2(columns.z, at)), columns);
   }
   for (int i = 0; i < R; ++i) {
-    ivec2 pixel = inside(first + ivec2(0, i)), at = ivec2(rows[i].column, max(first.y + i - 1, 0));
-    uint key = rows[i].most;
-    if (rank_of_key(rows[i + 1].most) > rank_of_key(key))
-      key = rows[i + 1].most, at = ivec2(rows[i + 1].column, first.y + i);
-    if (rank_of_key(rows[i + 2].most) > rank_of_key(key))
-      key = rows[i + 2].most, at = ivec2(rows[i + 2].column, min(first.y + i + 1, last_pixel().y));
+    ivec2 pixel = inside(first + ivec2(0, i));
+    uint key = max(max(rows[i].most, rows[i + 1].most), rows[i + 2].most);
+    ivec2 at = key == rows[i].most       ? ivec2(rows[i].column, max(first.y + i - 1, 0))
+               : key == rows[i + 1].most ? ivec2(rows[i + 1].column, first.y + i)
+                                         : ivec2(rows[i + 2].column, min(first.y + i + 1, last_pixel().y));
     bool moves = dilation == dilation_depth_edges ? is_edge(own[i + 1], key)
                                                   : dilation == dilation_closest_depth &&
                                                         rank_of_key(key) > rank_of_key(own[i + 1]);

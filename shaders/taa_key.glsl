@@ -7,6 +7,8 @@
 
 uint rank_of_key(uint key) { return key >> KEY_DEPTH_SHIFT; }
 float depth_of_key(uint key) { return uintBitsToFloat(key >> KEY_DEPTH_SHIFT << KEY_DEPTH_IN_FLOAT); }
+/// Sums of these are sums of steps.
+uint light_bits_of(uint key) { return key & KEY_LIGHT_STEPS << KEY_LIGHT_SHIFT; }
 uint light_step_of(uint key) { return key >> KEY_LIGHT_SHIFT & KEY_LIGHT_STEPS; }
 float lightness_of_key(uint key) { return float(light_step_of(key)) / KEY_LIGHT_STEPS; }
 float zoom_of(uint key) { return float(key & KEY_ZOOM_STEPS) * KEY_ZOOM_STEP; }
@@ -23,7 +25,7 @@ struct Kept {
 
 // A half float has 30720 positive numbers that are neither infinite nor denormal, and as many negative ones: every device
 // stores and loads those to the bit. They have room for 15 ids each.
-const uint half_numbers = 30720, half_ids = 15, least_half_in_float = 113u << 23;
+const uint half_ids = 15, least_half_in_float = 113u << 23;
 
 float kept_as_half(uint id, float age, uint light_step) {
   bool upper = id >= half_ids;
@@ -32,10 +34,10 @@ float kept_as_half(uint id, float age, uint light_step) {
   return uintBitsToFloat(((number << 13) + least_half_in_float) | (upper ? 1u << 31 : 0));
 }
 
+/// What is no such number comes out as another, within the fields' bounds.
 Kept kept_of_half(float alpha) {
-  uint bits = floatBitsToUint(alpha), magnitude = max(bits & 0x7fffffffu, least_half_in_float) - least_half_in_float;
-  uint number = min(magnitude >> 13, half_numbers - 1), rest = number / (KEY_LIGHT_STEPS + 1);
-  return Kept(rest / KEPT_AGES + ((bits >> 31) != 0 ? half_ids : 0), float(rest % KEPT_AGES + 1),
+  uint bits = floatBitsToUint(alpha), number = (bits - least_half_in_float) >> 13, rest = number / (KEY_LIGHT_STEPS + 1);
+  return Kept(rest / KEPT_AGES % (half_ids + 1) + (bits >> 31) * half_ids, float(rest % KEPT_AGES + 1),
               float(number & KEY_LIGHT_STEPS));
 }
 

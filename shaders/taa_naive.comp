@@ -48,7 +48,7 @@ ivec2 place_of_speaker(ivec2 pixel) {
   return edge ? best : pixel;
 }
 
-/// The closest by its key, or the pixel itself.
+/// The closest by its key, or the pixel itself. Of those as close the highest object, then the first.
 ivec2 place_by_key(ivec2 pixel) {
   ivec2 best = pixel;
   uint own = key_at(pixel), most = own;
@@ -56,10 +56,10 @@ ivec2 place_by_key(ivec2 pixel) {
     for (int x = -1; x <= 1; ++x) {
       ivec2 at = inside(pixel + ivec2(x, y));
       uint key = key_at(at);
-      if (rank_of_key(key) > rank_of_key(most)) best = at, most = key;
+      if (key > most) best = at, most = key;
     }
-  bool edge = dilation == dilation_closest_depth ||
-              (dilation == dilation_depth_edges && is_edge(own, most));
+  bool edge = dilation == dilation_closest_depth ? rank_of_key(most) > rank_of_key(own)
+                                                 : dilation == dilation_depth_edges && is_edge(own, most);
   return edge ? best : pixel;
 }
 
@@ -70,7 +70,7 @@ Around around_of(ivec2 pixel) {
     for (int x = -1; x <= 1; ++x) {
       uint key = key_at(inside(pixel + ivec2(x, y)));
       around.mixed = around.mixed || mixes_depths(around.own, key, key);
-      ids |= id_bit_of_key(key), sum += light_step_of(key);
+      ids |= id_bit_of_key(key), sum += light_bits_of(key);
     }
   around.mixed = around.mixed || several(ids);
   around.moving = (ids & push.moved_ids) != 0;

@@ -29,10 +29,11 @@ Reprojected reproject(ivec2 pixel, ivec2 speaker) {
   return r;
 }
 
-/// `found` as the filter gives it, which may overshoot below 0.
-void take_history(inout Reprojected r, vec3 found) {
-  r.number = !(any(isnan(found)) || any(isinf(found)));
-  r.found = max(found, vec3(0));
+/// Catmull-Rom overshoots, below 0, too: not beyond the four nearest texels where that is asked for.
+void take_history(inout Reprojected r, Filtered f) {
+  const float largest = 3e38;
+  r.number = abs(f.colour.x) + abs(f.colour.y) + abs(f.colour.z) < largest;
+  r.found = ringing == ringing_clamped ? clamp(f.colour, f.low, f.high) : max(f.colour, vec3(0));
 }
 
 /// Whether there is a history to be used: one that is not a number is none.
@@ -67,18 +68,20 @@ bool moves(Reprojected r) { return dot(r.motion, r.motion) > push.motion_thresho
 void take_kept(inout Reprojected r, uint key) {
   const float least_leak = 1.0 / 256;  // nothing may bound the history here: what other tests overlook would stay
   vec4 shares = four_shares(r.at);
-  uint now = id_of_key(key), movers = (push.moved_ids >> now & 1) != 0 ? ~0u : push.moved_ids;
-  float light = 0, most = 0, of_others = 0;
+  uint now = id_of_key(key), seen = 0;
+  float light = 0, of_others = 0;
   for (int i = 0; i < 4; ++i) {
     Kept kept = kept_of_half(r.alphas[i]);
     light += shares[i] * kept.light_step;
-    if (takes_age() && shares[i] > most) most = shares[i], r.count = kept.age;
-    bool other = kept.id != now;
-    if (other) of_others += shares[i];
-    r.other_moved = r.other_moved || (other && (movers >> kept.id & 1) != 0 && shares[i] > least_leak);
+    of_others += kept.id != now ? shares[i] : 0;
+    seen |= shares[i] > least_leak ? 1u << kept.id : 0;
   }
-  r.other_moved = r.other_moved || (of_others > 0.5 && moves(r));
+  uint others = seen & ~(1u << now), movers = (push.moved_ids >> now & 1) != 0 ? ~0u : push.moved_ids;
+  r.other_moved = (others & movers) != 0 || (of_others > 0.5 && moves(r));
   r.lightness = light / KEY_LIGHT_STEPS;
+  if (!takes_age()) return;
+  bvec2 later = greaterThan(fract(r.at - 0.5), vec2(0.5));  // the nearest, which weighs most
+  r.count = kept_of_half(later.y ? (later.x ? r.alphas.w : r.alphas.z) : (later.x ? r.alphas.y : r.alphas.x)).age;
 }
 
 bool light_changes(Around around) { return (around.own & KEY_LIGHT_CHANGES) != 0; }

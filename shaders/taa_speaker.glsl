@@ -22,7 +22,7 @@ struct Speaker {
 };
 const Around nothing_around = Around(0, false, false, 0);
 
-bool may_move(uint id) { return id - 1 < MOVING_IDS; }
+bool may_move(uint id) { return id > RESTING_IDS; }
 
 /// Whether the closer of two keys lies across an edge of depth, or of an object. The ground is closer than what stands on
 /// it: that is no edge of what may move.
@@ -32,8 +32,8 @@ bool is_edge(uint own, uint closest) {
          ((other && !ground) || depth_of_key(closest) > 1.2 * depth_of_key(own));
 }
 
-/// Of nine steps of light.
-float mean_lightness(uint sum) { return float(sum) * (1.0 / (9 * KEY_LIGHT_STEPS)); }
+/// Of the sum of nine keys' light bits.
+float mean_lightness(uint sum) { return float(sum) * (1.0 / (9 * KEY_LIGHT_STEPS << KEY_LIGHT_SHIFT)); }
 
 /// Whether one of these depths is none of a surface that goes on from `own`.
 bool mixes_depths(uint own, uint closest, uint farthest) {

@@ -83,13 +83,15 @@ std::vector<int> movers_of(const Scene& scene) {
 std::vector<uint32_t> words_of(const Scene& scene, const std::vector<int>& object_nodes) {
   const std::vector<int> movers = movers_of(scene);
   std::map<int, uint32_t> bodies;
+  const auto body_of = [&](int mover) {
+    return bodies.emplace(mover, uint32_t(bodies.size())).first->second;
+  };
   uint32_t resting = 0;
   std::vector<uint32_t> words;
   for (const int node : object_nodes) {
     const int mover = movers[size_t(node)];
-    const uint32_t id = mover >= 0
-                            ? 1 + bodies.emplace(mover, uint32_t(bodies.size())).first->second % MOVING_IDS
-                            : 1 + MOVING_IDS + resting++ % (OBJECT_IDS - MOVING_IDS);
+    const uint32_t id = mover < 0 ? 1 + resting++ % RESTING_IDS
+                                  : 1 + RESTING_IDS + body_of(mover) % (OBJECT_IDS - RESTING_IDS);
     words.push_back(uint32_t(node + 1) | id << OBJECT_ID_SHIFT);
   }
   return words;

@@ -15,9 +15,10 @@ SHARED_CONSTANT OBJECT_TAG_SHIFT = 24;     // where a history of objects keeps t
 SHARED_CONSTANT OBJECT_KEYED_SHIFT = 26;   // what a key has of it
 SHARED_CONSTANT OBJECT_GLOSSY = 1u << 26;
 SHARED_CONSTANT OBJECT_ID_SHIFT = 27;
-/// Ids of what moves as one body; the rest are of what rests, and 0 is the sky's. So a collision never hides that something
-/// moved away from before what rests. The highest is 29: what stays with a history has room for 30.
-SHARED_CONSTANT MOVING_IDS = 14;
+/// Ids of what rests, from 1: 0 is the sky's. Those above are of what moves as one body: so a collision never hides that
+/// something moved away from before what rests, and of keys as close the highest is of what moves. The highest is 29: what
+/// stays with a history has room for 30.
+SHARED_CONSTANT RESTING_IDS = 15;
 SHARED_CONSTANT OBJECT_IDS = 29;
 
 SHARED_CONSTANT KEY_DEPTH_SHIFT = 18;

@@ -101,15 +101,15 @@ TEST_F(ObjectIds, OfWhatMovesAreNoneOfWhatRests) {
     EXPECT_EQ(word & OBJECT_NODE, uint32_t(gpu.object_nodes[i] + 1));
     const bool moves = gpu.object_nodes[i] % 2 == 1;
     (moves ? moving : resting).push_back(id);
-    EXPECT_GE(id, moves ? 1 : MOVING_IDS + 1) << i;
-    EXPECT_LE(id, moves ? MOVING_IDS : OBJECT_IDS) << i;
+    EXPECT_GE(id, moves ? RESTING_IDS + 1 : 1) << i;
+    EXPECT_LE(id, moves ? OBJECT_IDS : RESTING_IDS) << i;
   }
   ASSERT_EQ(moving.size(), 21u);
   EXPECT_EQ(moving.back(), moving.front()) << "carried";
   // as many as there are, before the first comes again
-  EXPECT_EQ(std::set(moving.begin(), moving.begin() + MOVING_IDS).size(), MOVING_IDS);
-  EXPECT_EQ(std::set(resting.begin(), resting.begin() + (OBJECT_IDS - MOVING_IDS)).size(),
-            OBJECT_IDS - MOVING_IDS);
+  const uint32_t moving_ids = OBJECT_IDS - RESTING_IDS;
+  EXPECT_EQ(std::set(moving.begin(), moving.begin() + moving_ids).size(), moving_ids);
+  EXPECT_EQ(std::set(resting.begin(), resting.begin() + RESTING_IDS).size(), RESTING_IDS);
 }
 
 /// What stays with a history, in half a float.

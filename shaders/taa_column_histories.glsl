@@ -76,14 +76,12 @@ vec3 catmull_rom_cross_in(Window w, int i, vec2 at) {
 /// The bounds of the four texels around `at`.
 void bounds_in(Window w, int i, vec2 at, out vec3 low, out vec3 high) {
   bvec2 later = greaterThan(catmull_rom_corner(at) - ivec2(0, i), w.corner);
-  vec3 lows[3], highs[3];
-  for (int y = 0; y < 3; ++y) {
-    int row = WINDOW_WIDTH * (i + y + 1) + 1;
-    vec3 a = w.texels[row], b = w.texels[row + 1], c = w.texels[row + 2];
-    vec3 other = later.x ? c : a;
-    lows[y] = min(b, other), highs[y] = max(b, other);
-  }
-  low = min(lows[1], later.y ? lows[2] : lows[0]), high = max(highs[1], later.y ? highs[2] : highs[0]);
+  int above = WINDOW_WIDTH * (i + 1) + 1, middle = above + WINDOW_WIDTH, below = middle + WINDOW_WIDTH;
+  vec3 near = w.texels[middle + 1], beside = later.x ? w.texels[middle + 2] : w.texels[middle],
+       far = later.y ? w.texels[below + 1] : w.texels[above + 1],
+       across = later.x ? (later.y ? w.texels[below + 2] : w.texels[above + 2])
+                        : (later.y ? w.texels[below] : w.texels[above]);
+  low = min(min(near, beside), min(far, across)), high = max(max(near, beside), max(far, across));
 }
 
 Filtered filtered_in(Window w, int i, vec2 at) {

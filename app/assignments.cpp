@@ -30,11 +30,7 @@ bool has_effect(const Setting& row, const std::vector<ModeRun>& modes, std::vect
 
 std::vector<Assignment> apply_assignments(std::span<const Assignment> assignments, Settings& shared,
                                           std::vector<ModeRun>& modes) {
-  for (const Assignment& each : assignments) {
-    apply_setting(shared, each.text);
-    if (std::ranges::all_of(modes, [&](const ModeRun& run) { return mode_says(run.name, each.row().name); }))
-      throw SettingError(each.text + " has no effect: every mode here says its own");
-  }
+  for (const Assignment& each : assignments) apply_setting(shared, each.text);
   std::vector<Settings> asked;
   for (const ModeRun& run : modes) {
     Settings& settings = asked.emplace_back(settings_of(shared, run));
@@ -48,13 +44,23 @@ std::vector<Assignment> apply_assignments(std::span<const Assignment> assignment
   return unused;
 }
 
-std::string without_effect(const Assignment& assignment) {
-  return assignment.text + " has no effect: " + std::string(assignment.row().used.otherwise);
+std::string without_effect(const Assignment& assignment, std::span<const ModeRun> modes) {
+  const auto own = std::ranges::count_if(
+      modes, [&](const ModeRun& run) { return mode_says(run.name, assignment.row().name); });
+  const std::string text = assignment.text + " has no effect";
+  if (own > 0 && size_t(own) == modes.size()) return text + ": every mode here says its own";
+  return text + (own > 0 ? " on those that do not say their own: " : ": ") +
+         std::string(assignment.row().used.otherwise);
 }
 
 std::optional<std::string> refusal(const Settings& shared, std::span<const ModeRun> modes) {
-  for (const ModeRun& run : modes)
-    if (const auto why = refusal(settings_of(shared, run))) return run.name + ": " + *why;
+  for (const ModeRun& run : modes) {
+    const Settings settings = settings_of(shared, run);
+    if (const auto why = refusal(settings)) return run.name + ": " + *why;
+    for (const std::string& change : changes_of_mode(run.name))
+      if (const Assignment own{.text = change}; !own.row().used.met_by(settings))
+        return run.name + ": " + without_effect(own, {});
+  }
   return {};
 }
 

@@ -1,4 +1,5 @@
 // `unghost modes | rigs | views | settings | info`.
+#include <cmath>
 #include <cstdlib>
 #include <functional>
 
@@ -95,9 +96,11 @@ std::string_view summary_of(View view) {
     return "Red where the history was faded because the pixel is near, moving and untagged.";
   case View::rejected:
     return "Where the history was given up, or lit anew: off-screen red, tag green, near and moving violet, "
-           "velocity "
-           "yellow, length of motion cyan, speed pink, depth lime, object blue, moved object orange, "
-           "visibility (lit anew) turquoise; of several the last.";
+           "velocity yellow, length of motion cyan, speed pink, depth lime, object blue, moved object "
+           "orange, "
+           "visibility (lit anew, or bounded where there is too much light to tell) turquoise; of several "
+           "the "
+           "last.";
   case View::history:
     return "The history as it was mixed with the current frame.";
   case View::age:
@@ -107,9 +110,10 @@ std::string_view summary_of(View view) {
     return "How large the colour box of the 3x3 neighbourhood is: white lets anything pass.";
   case View::light_channel:
     return "How much light arrives, as modes that know causes are told; orange where it may be another than "
-           "last frame's.";
+           "last frame's, beside on what moves.";
   case View::pixel_class:
-    return "What modes that know causes take a pixel for: plain grey, glossy blue where anything moves, "
+    return "What modes that know causes take a pixel for: plain grey, glossy blue where anything moves or "
+           "light changes, "
            "mixed yellow, moving green, mixed and moving red.";
   }
   return {};

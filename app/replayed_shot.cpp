@@ -50,7 +50,7 @@ void set_in_all_frames(const CommandLine& line, Recording& recording) {
       return std::ranges::count(here, each.text, &Assignment::text) == 0;
     });
   }
-  if (!unused.empty()) throw SettingError(without_effect(unused.front()));
+  if (!unused.empty()) throw SettingError(without_effect(unused.front(), {}));
 }
 
 uint32_t frames_of(const CommandLine& line, const Recording& recording) {

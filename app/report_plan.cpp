@@ -5,6 +5,7 @@
 #include "app/measure/report/ablation.h"
 #include "app/measuring.h"
 #include "app/rigs.h"
+#include "renderer/mode_names.h"
 #include "renderer/spelling.h"
 
 namespace unghost {
@@ -39,7 +40,7 @@ std::vector<std::string> modes_of(const CommandLine& line, bool jittered) {
   };
   if (std::ranges::count(modes, "all") == 0) add(std::string(ablated_row));
   for (const Part& part : parts())
-    if (jittered || !changes_jitter(part.change)) add(name_without(part));
+    if (jittered || !changes_only_jitter(name_without(part))) add(name_without(part));
   return modes;
 }
 

@@ -169,24 +169,23 @@ std::vector<Assignment> apply_file_and_words(const CommandLine& line, Shot& shot
 // An assignment reaches the modes that it has an effect on, and is refused where it has one on none.
 void set_asked(const CommandLine& line, const std::vector<Assignment>& assignments, Shot& shot) {
   const std::vector<Assignment> unused = apply_assignments(assignments, shot.settings, shot.modes);
-  if (!unused.empty()) refuse(line, unused.front().of_file, without_effect(unused.front()));
+  if (!unused.empty()) refuse(line, unused.front().of_file, without_effect(unused.front(), shot.modes));
   if (const auto why = refusal(shot.settings, shot.modes))
     refuse(line, !line.settings.empty() && line.assignments.empty(), *why);
 }
+
+constexpr const char* measured_jitter =
+    "all modes that jitter and keep their result are measured with the same ten points of R2, scaled as each "
+    "has it";
 
 // Errors are taken of modes that jitter alike.
 void refuse_jitter(const CommandLine& line, const std::vector<Assignment>& assignments,
                    const std::vector<ModeRun>& modes) {
   for (const Assignment& each : assignments)
     if (each.row().name == "jitter")
-      refuse(line, each.of_file,
-             each.text + " has no effect: all modes that jitter are measured with the same ten points of R2, "
-                         "scaled as each has it");
+      refuse(line, each.of_file, each.text + " has no effect: " + measured_jitter);
   for (const ModeRun& run : modes)
-    if (mode_says(run.name, "jitter"))
-      throw SettingError(
-          run.name +
-          ": all modes that jitter are measured with the same ten points of R2, scaled as each has it");
+    if (mode_says(run.name, "jitter")) throw SettingError(run.name + ": " + measured_jitter);
 }
 
 // Run times compare the modes on the same geometry, which a jitter would move.

@@ -3,6 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/assignments.h"
 #include "app/commands.h"
 #include "app/failure.h"
 #include "app/files.h"
@@ -116,33 +117,37 @@ void check_words(const CommandLine& line) {
     throw WrongWords("the table goes to a .json file");
   if (line.stability.trial && line.stability.cases != std::vector<std::string>{"chance"})
     throw WrongWords("--trial is one of --case chance");
-  for (const TaaMode& mode : taa_modes())
-    if (!mode.settings.policy.needs_history() && std::ranges::find(line.modes, mode.name) != line.modes.end())
-      throw WrongWords(std::string(mode.name) + " keeps no history, and has nothing that could break");
+}
+
+/// Rows, and answers that no row has; rows with settings of their own are checked here.
+std::vector<ModeRun> modes_from(const CommandLine& line) {
+  const std::vector<ModeRun> known = stability_modes();
+  std::vector<ModeRun> modes;
+  const auto add = [&](const ModeRun& run) {
+    if (!run.taa.policy.needs_history())
+      throw WrongWords(run.name + " keeps no history, and has nothing that could break");
+    if (std::ranges::find(modes, run.name, &ModeRun::name) == modes.end()) modes.push_back(run);
+  };
+  for (const std::string& name : line.modes.empty() ? std::vector<std::string>{all_of_them} : line.modes)
+    if (base_of_mode(name) != name || (name != all_of_them && find_taa_mode(name) != nullptr))
+      add(mode_run(name));
+    else
+      for (const ModeRun* mode : chosen(std::span(known), {name}, "mode")) add(*mode);
+  if (const auto why = refusal(Settings{}, modes)) throw WrongWords(*why);
+  return modes;
 }
 
 StabilityRequest request_from(const CommandLine& line) {
-  StabilityRequest request{.cases = chosen(stability_cases(), line.stability.cases, "case"),
-                           .modes = {},
-                           .endurance = endurance_of(line.stability),
-                           .seed = line.seed.value_or(1),
-                           .trial = line.stability.trial,
-                           .device = {.which = line.device, .validate = line.validate},
-                           .shaders = find_data_folders().shaders,
-                           .asphalt = {},
-                           .begins = {},
-                           .ends = {}};
-  const std::vector<ModeRun> modes = stability_modes();
-  std::vector<std::string> rows;
-  for (const std::string& name : line.modes)
-    if (base_of_mode(name) == name)
-      rows.push_back(name);
-    else
-      request.modes.push_back(mode_run(name));
-  if (!rows.empty() || line.modes.empty())
-    for (const ModeRun* mode : chosen(std::span<const ModeRun>(modes), rows, "mode"))
-      request.modes.push_back(*mode);
-  return request;
+  return {.cases = chosen(stability_cases(), line.stability.cases, "case"),
+          .modes = modes_from(line),
+          .endurance = endurance_of(line.stability),
+          .seed = line.seed.value_or(1),
+          .trial = line.stability.trial,
+          .device = {.which = line.device, .validate = line.validate},
+          .shaders = find_data_folders().shaders,
+          .asphalt = {},
+          .begins = {},
+          .ends = {}};
 }
 
 void print(const CommandLine& line, const Console& console, const StabilityTable& table, NewFile* file) {

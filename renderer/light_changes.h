@@ -15,8 +15,8 @@ struct LightNow {
   bool objects_moved = false; // in view: they come to other light
 };
 
-/// Fills the part of FrameConstants that says so, and returns whether it is so anywhere; `before` becomes
-/// this frame's.
+/// Fills the part of FrameConstants that says so, of which describe_underside's is there, and returns whether
+/// it is so anywhere; `before` becomes this frame's.
 bool describe_light_changes(FrameConstants& constants, const FrameInput& input, const LightNow& now,
                             LastLight& before);
 

@@ -17,6 +17,12 @@ std::vector<std::string> changes_of_mode(std::string_view name) {
   return changes;
 }
 
+bool changes_only_jitter(std::string_view name) {
+  return base_of_mode(name) != name &&
+         std::ranges::all_of(changes_of_mode(name),
+                             [](const std::string& change) { return change.starts_with("jitter"); });
+}
+
 bool mode_says(std::string_view name, std::string_view setting) {
   return std::ranges::any_of(changes_of_mode(name), [&](const std::string& change) {
     return change.substr(0, change.find('=')) == setting;

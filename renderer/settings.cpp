@@ -159,8 +159,8 @@ std::optional<std::string> refusal(const Settings& settings) {
   for (const Setting& row : settings_table())
     if (row.per_mode && row.kind != SettingKind::number && !row.used.met_by(settings) &&
         row.read(settings) != row.read(Settings{}))
-      return "blend=current keeps no history, for which " + std::string(row.name) + "=" + row.get(settings) +
-             " is; a row without one is off";
+      return std::string(row.name) + "=" + row.get(settings) +
+             " has no effect: " + std::string(row.used.otherwise);
   return std::nullopt;
 }
 

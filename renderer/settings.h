@@ -103,8 +103,8 @@ void apply_setting(Settings& settings, std::string_view assignment);
 /// The default settings with the row of that name. Throws SettingError for a name that no row has.
 Settings settings_for_mode(std::string_view mode);
 /// A row, and settings of its own for it: `rgb`, or `rgb:alpha=0.05:dilation=centre`, which is also its name.
-/// Of several flags the words are joined by `+`. Throws SettingError, also for a setting that the row has no
-/// use for.
+/// Of several flags the words are joined by `+`. Throws SettingError, also for a setting that is said
+/// twice, or that the row has no use for.
 ModeRun mode_run(const std::string& text);
 /// Why these settings cannot work together, in one sentence; nothing where they can.
 std::optional<std::string> refusal(const Settings& settings);

@@ -97,7 +97,7 @@ std::span<const Setting> settings_table() {
     policy<&Policy::space>({"space", "", "The colour space in which the history is bounded.", "Karis 2014", 0, 0, rectifies}),
     policy<&Policy::weighting>({"weighting", "", "What keeps bright pixels from flickering.", trail, 0, 0, keeps_history}),
     policy<&Policy::rectify>({"rectify", "", "How the history is bounded by this frame's 3x3 neighbourhood.", "Lottes 2011; Karis 2014; Salvi 2016; Ikkala et al. 2024", 0, 0, keeps_history}),
-    policy<&Policy::where>({"where", "", "Which pixels are bounded: all, or those of which no cause is known: a coat of 0.1 or more or a roughness of 0.3 or less while anything moves, edges of what moves, light that changed.", "", 0, 0, rectifies}),
+    policy<&Policy::where>({"where", "", "Which pixels are bounded: all, or those of which no cause is known: a coat of 0.1 or more or a roughness of 0.3 or less while anything moves or light changes, edges of what moves or of anything where the picture does, light that changed.", "", 0, 0, rectifies}),
     policy<&Policy::axes>({"axes", "", "The axes of the polytope.", "Ikkala et al. 2024", 0, 0, has_axes}),
     policy<&Policy::reject>({"reject", "", "When the history is given up: 'nothing', or a list with commas.", tour, 0, 0, keeps_history}),
     policy<&Policy::fill>({"fill", "", "What stands where the history was given up: the new frame, blurred or plain.", tour, 0, 0, keeps_history}),

@@ -10,7 +10,7 @@ namespace {
 constexpr double invisible = 1.0 / 512; // half a step of 8 bits
 constexpr uint32_t most_frames_held = 1024;
 
-/// Along a line, and not each component by itself; also where all is known that makes a history wrong.
+/// Along a line, and not each component by itself; nothing at rest, where only what is unknown is bounded.
 bool clips(const TaaPolicy& policy) {
   if (policy.rectifies_unknown_only()) return false;
   return policy.uses_dop() || policy.rectify == Rectify::box_clip || policy.rectify == Rectify::variance_clip;

@@ -12,8 +12,9 @@ namespace unghost {
 /// After so many frames of a world at rest, from a cut on, less than half of what a display can show (1/512)
 /// is left of the first of them, and the jitter has gone through its points a whole number of times. From
 /// then on the pictures repeat themselves with the jitter to within a step of the display: one that stays in
-/// place of the next is one of them, without their flicker. Nothing for a mode that clips its history: which
-/// plane it is clipped by changes with the least difference, and its pictures never repeat themselves.
+/// place of the next is one of them, without their flicker. Nothing for a mode that clips its history
+/// everywhere: which plane it is clipped by changes with the least difference, and its pictures never repeat
+/// themselves.
 std::optional<uint32_t> frames_until_settled(const TaaSettings& taa);
 
 /// Told of every frame in turn, it says how many of them have to be drawn.

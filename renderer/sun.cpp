@@ -13,6 +13,7 @@ constexpr double step_m = 9;     // it moves in steps of this, so that it is sel
 constexpr double ahead_m = 22;   // its middle lies this far before the camera
 constexpr double depth_m = 240;  // along the sun's rays, where the steps are larger: nobody sees them
 constexpr double depth_step_m = 60;
+constexpr float pi = 3.14159f;
 
 struct SunFrame {
   glm::dvec3 right, up, towards;
@@ -37,9 +38,9 @@ glm::dvec3 place_of_map(const FrameInput& input, const SunFrame& sun) {
   return {snapped(sun.right, step_m), snapped(sun.up, step_m), snapped(sun.towards, depth_step_m)};
 }
 
-/// The unit steps with the exposure, by its doubles: histories hold light in it (LastLight::unit).
+/// The unit steps with the exposure, by its doubles: histories hold light in it (LastFrame::light_unit).
 void describe_light_of_keys(FrameConstants& constants, const LightSettings& light) {
-  constexpr float pi = 3.14159f, brighter = 1.6f; // a clear noon, than what a white surface shows as 1
+  constexpr float brighter = 1.6f; // a clear noon, than what a white surface shows as 1
   constants.light_unit = brighter * pi / std::exp2(std::round(light.exposure_ev));
   const Sky sky{constants.sky_zenith, constants.sky_horizon, constants.ground, constants.towards_sun};
   const glm::vec3 of_sky = pi * radiance_of(sky, {0, 1, 0}, 1),
@@ -64,7 +65,7 @@ void describe_light(FrameConstants& constants, const FrameInput& input) {
   constants.sun_illuminance = glm::vec3(1.0f, 0.93f, 0.82f) * (5.2f * light.sun_illuminance);
   constants.sky_zenith = glm::vec3(0.17f, 0.32f, 0.62f) * light.sky_luminance;
   constants.sky_horizon = glm::vec3(0.62f, 0.72f, 0.84f) * light.sky_luminance;
-  const float share = 0.14f * (std::max(constants.towards_sun.y, 0.0f) / 3.14159f);
+  const float share = 0.14f * (std::max(constants.towards_sun.y, 0.0f) / pi);
   constants.ground = constants.sun_illuminance * share + constants.sky_horizon * 0.1f;
   constants.exposure = std::exp2(light.exposure_ev);
   describe_light_of_keys(constants, light);

@@ -18,7 +18,8 @@ glm::dvec2 jitter_offset(Jitter sequence, uint64_t index);
 bool camera_moves(const FrameInput& input);
 /// Of the square that a mode's jitter fills, in pixels; 0 without.
 double jitter_side(const TaaSettings& taa, const FrameInput& input);
-/// By how many pixels the frame of a mode is shifted.
+/// By how many pixels the frame of a mode is shifted, as shaders/shared/frame.h has it; the input's own
+/// jitter, where it has one, is every mode's.
 glm::dvec2 jitter_of(const TaaSettings& taa, const FrameInput& input);
 /// Point `n` of R2, which never repeats (Roberts 2018), each axis in [-0.5, 0.5).
 glm::dvec2 r2_sequence(uint64_t n);

@@ -38,14 +38,15 @@ float sun_visibility(vec3 position_eye, vec3 normal) {
   float inside = 1 - smoothstep(0.9, 1.0, max(edge.x, edge.y));
   if (inside <= 0 || at.z >= 1) return 1;
   vec2 texel = at.xy * frame.shadow_texels - 0.5;
-  ivec2 corner = ivec2(floor(texel)) - 1;
+  const int half_width = int(SHADOW_FILTER_TEXELS);
+  ivec2 corner = ivec2(floor(texel)) - (half_width - 1);
   vec2 f = fract(texel);
   vec4 across = vec4(1 - f.x, 1, 1, f.x), down = vec4(1 - f.y, 1, 1, f.y);
   ivec2 last = ivec2(int(frame.shadow_texels) - 1);
   float seen = 0;
-  for (int y = 0; y < 4; ++y) {
+  for (int y = 0; y < 2 * half_width; ++y) {
     vec4 row;
-    for (int x = 0; x < 4; ++x)
+    for (int x = 0; x < 2 * half_width; ++x)
       row[x] = texelFetch(shadow_map, clamp(corner + ivec2(x, y), ivec2(0), last), 0).r >= at.z ? 1.0 : 0.0;
     seen += dot(row, across) * down[y];
   }
@@ -109,7 +110,8 @@ vec3 own_light(ivec2 pixel) { return has_emissive ? texelFetch(emissive_map, pix
 /// Light that would have to arrive at a level surface for what it shines by itself: that stays, whatever falls on it.
 float light_instead_of(vec3 own, Surface s) { return pi * luminance(own) / max(luminance(s.albedo), 0.04); }
 
-/// Light that arrives at a level surface, whatever it makes of it, in FrameConstants::light_unit.
+/// Light that arrives at a level surface, whatever it makes of it, in FrameConstants::light_unit; `of_others` from lamps, and
+/// instead of what it shines by itself.
 float demodulated(float visibility, float of_sky, float of_others) {
   return (has_sun ? frame.open_sun_light * visibility : 0) + frame.open_sky_light * of_sky + of_others / frame.light_unit;
 }
@@ -136,15 +138,15 @@ vec3 lit_surface(ivec2 pixel, vec3 ray, float depth, inout float visibility, ino
   vec3 position_eye = ray * linear_depth(depth);
   vec3 to_eye = normalize(-ray);
   if (has_sun) visibility = dot(normal, frame.towards_sun) > 0 ? sun_visibility(position_eye, normal) : 0;
-  float of_lamps, of_sky = sky_share(position_eye, normal);
-  vec3 colour = from_environment(s, to_eye) * of_sky + from_lamps(s, position_eye, to_eye, of_lamps);
+  float of_others, of_sky = sky_share(position_eye, normal);
+  vec3 colour = from_environment(s, to_eye) * of_sky + from_lamps(s, position_eye, to_eye, of_others);
   if (has_sun && visibility > 0)
     colour += reflect_light(s, to_eye, frame.towards_sun, sun_alpha) * frame.sun_illuminance * visibility;
   vec3 own = own_light(pixel);
   if (has_emissive) colour += own;
   if (keeps_irradiance) {
-    if (has_emissive) of_lamps += light_instead_of(own, s);
-    irradiance = light_word(demodulated(visibility, of_sky, of_lamps), light_may_change(position_eye));
+    if (has_emissive) of_others += light_instead_of(own, s);
+    irradiance = light_word(demodulated(visibility, of_sky, of_others), light_may_change(position_eye));
   }
   return colour;
 }

@@ -40,8 +40,8 @@ void speakers_by_rank(ivec2 first, out Speaker speakers[R]) {
   }
 }
 
-/// What the keys of a row of three have in common, and which is the closest: of those as close the highest object, then the
-/// first.
+/// What the keys of a row of three have in common, and which is the closest: of those as close the highest key, so what moves
+/// before what rests; of equal keys the first.
 struct KeyRow {
   uint most, least, ids, sum;
   int column;
@@ -63,7 +63,7 @@ Around around_by(uint own, KeyRow a, KeyRow b, KeyRow c) {
   return Around(own, several(ids) || mixes_depths(own, most, least), (ids & push.moved_ids) != 0, mean_lightness(a.sum + b.sum + c.sum));
 }
 
-/// As speakers_by_rank, by keys, and what those around say beside.
+/// The same by keys (key_row), and what those around say beside.
 void speakers_by_key(ivec2 first, out Speaker speakers[R]) {
   KeyRow rows[COLUMN];
   uint own[COLUMN];

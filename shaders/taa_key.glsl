@@ -34,7 +34,7 @@ float kept_as_half(uint id, float age, uint light_step) {
   return uintBitsToFloat(((number << 13) + least_half_in_float) | (upper ? 1u << 31 : 0));
 }
 
-/// What is no such number comes out as another, within the fields' bounds.
+/// What is no such number comes out as another: its id is 30 at most.
 Kept kept_of_half(float alpha) {
   uint bits = floatBitsToUint(alpha), number = (bits - least_half_in_float) >> 13, rest = number / (KEY_LIGHT_STEPS + 1);
   return Kept(rest / KEPT_AGES % (half_ids + 1) + (bits >> 31) * half_ids, float(rest % KEPT_AGES + 1),

@@ -48,7 +48,8 @@ ivec2 place_of_speaker(ivec2 pixel) {
   return edge ? best : pixel;
 }
 
-/// The closest by its key, or the pixel itself. Of those as close the highest object, then the first.
+/// The closest by its key, or the pixel itself. Of those as close the highest key, so what moves before what rests; of equal
+/// keys the first.
 ivec2 place_by_key(ivec2 pixel) {
   ivec2 best = pixel;
   uint own = key_at(pixel), most = own;

@@ -16,7 +16,7 @@ struct Reprojected {
   float count;       // frames that it holds
   float lightness;   // of what fell on it
   bool other_moved;  // something else was there, and moves or did
-  uint causes;       // for which some of it was given up already
+  uint causes;       // for which some of it was given up, lit anew, or is to be bounded
 };
 
 /// All but what the history holds there.
@@ -48,7 +48,8 @@ float fast_share(Reprojected r) { return r.known ? min(dot(r.motion, r.motion) *
 float centred_share(Reprojected r) { return mix(push.centred_rest, 1, fast_share(r)); }
 
 /// Whether colours bound a history: any, or one that may be wrong though no cause gives it up. None is known of what a surface
-/// mirrors, and of edges of what moves, or of any where the picture does; what was lit anew was so as if it were matt.
+/// mirrors, and of edges of what moves, or of any where the picture does; what was lit anew was so as if it were matt, and too
+/// much light tells no change.
 bool needs_bounds(Speaker speaker, Reprojected r) {
   bool edge_moves = speaker.around.mixed && (speaker.around.moving || any(notEqual(r.motion, vec2(0))));
   return where == where_everywhere || is_glossy(speaker) || edge_moves || (r.causes & reject_visibility) != 0;
@@ -87,7 +88,8 @@ void take_kept(inout Reprojected r, uint key) {
 bool light_changes(Around around) { return (around.own & KEY_LIGHT_CHANGES) != 0; }
 
 /// By which a colour turns from the hue of sky towards that of sun and sky, with lightness between those of the two; both hues
-/// are of the open. Not from a share of light: divisions cost, and it differs from this by a tenth of the way at most.
+/// are of the open. Not from a share of light: divisions cost, and in the light of a noon it differs from this by less than a
+/// quarter of the way, which is 4% of a colour.
 vec3 tint_of(float is, float was) {
   float between = clamp(is, frame.sky_lightness, frame.open_lightness) - clamp(was, frame.sky_lightness, frame.open_lightness);
   return 1 + frame.open_over_sky * between;

@@ -60,7 +60,7 @@ vec3 marked(vec3 grey, bool is) { return is ? mix(grey, red, 0.75) : grey; }
 /// A colour a cause; the last of several.
 vec3 cause_colour(uint causes) { return hue(float(findMSB(causes)) * 0.381966); }
 
-/// Plain pixels grey; edges that move red, since no cause is known there; else what comes first.
+/// Plain pixels grey; edges of what moves red; else what comes first.
 vec3 class_colour(uint kind, vec3 picture) {
   vec3 grey = vec3(luminance(picture)), own = vec3(0);
   bool mixed = (kind & TAA_CLASS_MIXED) != 0, moving = (kind & TAA_CLASS_MOVING) != 0;
@@ -72,7 +72,8 @@ vec3 class_colour(uint kind, vec3 picture) {
   return mix(grey, own, 0.7);
 }
 
-/// Light that arrives, as a surface of that albedo would look; tinted where it may be another than in the last frame.
+/// Light that arrives, as a surface of that albedo would look; tinted where it may be another than in the last frame, beside
+/// on what moves.
 vec3 light_colour(uint word) {
   float lightness = float(word & KEY_LIGHT_STEPS) / KEY_LIGHT_STEPS;
   return (word & LIGHT_CHANGES) != 0 ? mix(vec3(lightness), vec3(1, 0.45, 0), 0.4) : vec3(lightness);

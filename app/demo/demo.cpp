@@ -38,7 +38,10 @@ DemoState state_from(const CommandLine& line, Console& console) {
   if (!named) return state;
   state.settings = shot.settings;
   state.arrangement = Arrangement::single;
-  const size_t mode = place_of_mode(state, base_of_mode(shot.modes.front().name));
+  const std::string name = base_of_mode(shot.modes.front().name);
+  if (find_taa_mode(name) == nullptr) // words were looked up
+    throw Failure(Exit::input_refused, line.settings.string() + ": there is no mode '" + name + "'");
+  const size_t mode = place_of_mode(state, name);
   show_mode(state, mode);
   state.modes[mode].taa = shot.modes.front().taa;
   return state;

@@ -113,7 +113,8 @@ void draw_colours(const ProbedPixel& pixel, const Rectification& r) {
 void draw_place(const ProbedPixel& pixel) {
   text_row("weight", weight_of(pixel), "Of the new frame in the result; the rest is the rectified history.");
   text_row("rejected", causes_of(pixel),
-           "Which tests gave up the history, in whole or in part; by visibility it was lit anew.");
+           "Which tests gave up the history, in whole or in part; by visibility it was lit anew, or bounded "
+           "where there is too much light to tell.");
   if (pixel.history) {
     text_row("read at", pixels(pixel.history->at_px),
              "Where the history was read; pixels' centres are at .5.");

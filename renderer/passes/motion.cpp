@@ -12,7 +12,7 @@ struct Told {
   bool light = false; // in it
 };
 
-Told told(FrameGraph& graph, const FrameContext& in, bool lit, ImageRef key) {
+Told asked_of(FrameGraph& graph, const FrameContext& in, bool lit, ImageRef key) {
   const auto any = [&](auto asks) {
     return std::ranges::any_of(in.modes, [&](const ModeRun& run) { return asks(run.taa.policy); });
   };
@@ -53,7 +53,7 @@ Motion resolve_motion(FrameGraph& graph, const FrameContext& in, const GBuffer& 
   motion.moves =
       graph.needed(in.camera_moved || in.in_view.anything_moved,
                    {"motion", "neither the camera nor anything in view moves"}, {motion.motion_px});
-  const Told asked = told(graph, in, gbuffer.lit, motion.key);
+  const Told asked = asked_of(graph, in, gbuffer.lit, motion.key);
   graph.compute({.name = "motion",
                  .shader = "motion.comp",
                  .constants = {uint32_t(gbuffer.moves),

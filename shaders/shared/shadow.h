@@ -10,7 +10,7 @@ SHARED_BEGIN
 SHARED_NUMBER SHADOW_OFFSET_TEXELS = 1.8f;
 /// A texel of which the middle is nearer than this along both sides may be among those that a lookup compares with: four
 /// in a row, of which the two in the middle lie around it.
-SHARED_NUMBER SHADOW_FILTER_TEXELS = 2;
+SHARED_CONSTANT SHADOW_FILTER_TEXELS = 2;
 /// What casts a shadow further away than this takes no part in it, whichever way a surface faces.
 SHARED_NUMBER SHADOW_REACH_TEXELS = SHADOW_OFFSET_TEXELS + SHADOW_FILTER_TEXELS;
 

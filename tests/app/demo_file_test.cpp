@@ -145,7 +145,7 @@ TEST(DemoFile, RefusesNonsenseAndLeavesTheStateAsItWas) {
       {R"({"modes": {"blend": {"rectify": "box"}}})", "rectify has no 'box'"},
       {R"({"modes": {"blend": {"blend": "attenuated"}}})", "blend: blend=attenuated acts"},
       {R"({"modes": {"off": {"rectify": "box-clip"}}})",
-       "off: blend=current keeps no history, for which rectify=box-clip is"},
+       "off: rectify=box-clip has no effect: blend=current keeps no history"},
       {R"({"shown": "none"})", "shown: there is no mode 'none'"},
       {R"({"shown": 3})", "shown: it is a word"},
       {R"({"compared": ["blend"], "shown": "blend"})", "seen twice"},

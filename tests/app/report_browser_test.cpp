@@ -193,6 +193,8 @@ TEST_F(ReportBrowser, TheTablesOfPartsFitThePage) {
     m.rows.push_back(row);
     m.modes.emplace_back(m.rows.back().mode = name_without(part), nlohmann::json::object());
     for (auto& [figure, value] : m.rows.back().figures) value *= 5; // +400%
+    for (auto& [figure, samples] : m.rows.back().samples)
+      for (double& one : samples) one *= 5;
   }
   page = report_page(sample.results, ReportSample::picture, {});
   const Shown shown = drive(R"js(

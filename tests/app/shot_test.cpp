@@ -63,9 +63,18 @@ TEST(Shot, WhatAModesNameSaysWinsOverTheWords) {
   EXPECT_NE(complaint({"compare", "--modes", "unghost:alpha=0.2,rgb:alpha=0.3", "--set", "alpha=0.1"})
                 .find("alpha=0.1 has no effect: every mode here says its own"),
             std::string::npos);
-  EXPECT_NE(complaint({"compare", "--modes", "rgb-var:gamma=2,rgb", "--set", "gamma=1"}).find("no variance"),
+  EXPECT_NE(complaint({"compare", "--modes", "rgb-var:gamma=2,rgb", "--set", "gamma=1"})
+                .find("gamma=1 has no effect on those that do not say their own: no variance"),
             std::string::npos)
       << "no other has a use for it";
+  EXPECT_NE(complaint({"compare", "--modes", "rgb-var:gamma=2,rgb", "--set", "rectify=none"})
+                .find("rgb-var:gamma=2: gamma=2 has no effect: no variance"),
+            std::string::npos)
+      << "the words leave it no use";
+  EXPECT_NE(complaint({"bench", "--modes", "rgb,rgb:texture-jitter=removed"})
+                .find("rgb:texture-jitter=removed: texture-jitter=removed has no effect"),
+            std::string::npos)
+      << "times are taken without jitter";
 }
 
 TEST(Shot, ASettingReachesTheModesThatUseIt) {

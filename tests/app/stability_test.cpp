@@ -60,6 +60,9 @@ TEST(StabilityCells, AnExcuseHoldsAsFarAsItSays) {
   EXPECT_NE(cell("blend", 8).excuse, "");
   EXPECT_FALSE(cell("blend", INFINITY).pass) << "but not spread what is no number";
   EXPECT_TRUE(excuse_for("blend", "bad-colour") == nullptr);
+  EXPECT_TRUE(cell("blend:alpha=0.05", 8).pass) << "a row with settings of its own has what its row may";
+  EXPECT_NE(excuse_for("rgb:alpha=0.1:store=plain", "constant"), nullptr) << "and what its settings may";
+  EXPECT_TRUE(excuse_for("rgb:alpha=0.1", "constant") == nullptr);
 }
 
 TEST(StabilityCells, WhatIsNoNumberIsWorst) {
@@ -99,13 +102,13 @@ TEST(StabilityCommand, OneCellByNameAndTheSameAgain) {
 }
 
 TEST(StabilityCommand, ARowWithASettingOfItsOwnIsAModeToo) {
-  const Outcome run = outcome({"stability", "--brief", "--case", "chance", "--modes", "rgb:alpha=0.3,unghost",
-                               "--trial", "7", "--json", "-q"});
+  const Outcome run = outcome({"stability", "--brief", "--case", "chance", "--modes",
+                               "unghost,rgb:alpha=0.3,unghost", "--trial", "7", "--json", "-q"});
   ASSERT_EQ(run.exit, 0) << run.err;
   const json cells = json::parse(run.out).at("cells");
   ASSERT_EQ(cells.size(), 2u);
-  EXPECT_EQ(cells[0].at("mode"), "rgb:alpha=0.3");
-  EXPECT_EQ(cells[1].at("mode"), "unghost");
+  EXPECT_EQ(cells[0].at("mode"), "unghost");
+  EXPECT_EQ(cells[1].at("mode"), "rgb:alpha=0.3");
 }
 
 TEST(StabilityCommand, WordsThatCannotWork) {
@@ -117,6 +120,13 @@ TEST(StabilityCommand, WordsThatCannotWork) {
   const Outcome off = outcome({"stability", "--modes", "off"});
   EXPECT_EQ(off.exit, 2);
   EXPECT_NE(off.err.find("off keeps no history"), std::string::npos) << off.err;
+  for (const auto& [mode, why] : {std::pair{"off:jitter=halton-8", "keeps no history"},
+                                  std::pair{"rgb:blend=current", "keeps no history"},
+                                  std::pair{"rgb-var:gamma=2:rectify=none", "no variance"}}) {
+    const Outcome refused = outcome({"stability", "--case", "flat", "--modes", mode});
+    EXPECT_EQ(refused.exit, 2) << mode;
+    EXPECT_NE(refused.err.find(why), std::string::npos) << refused.err;
+  }
   for (const char* trial : {"-1", "99999999999999999999", "x", ""})
     EXPECT_EQ(outcome({"stability", "--case", "chance", "--trial", trial}).exit, 2) << trial;
   for (const char* cases : {"flat", "chance,flat", "all"})

@@ -61,6 +61,39 @@ TEST_F(KnownCauses, WhatAnotherObjectLeftIsGivenUp) {
   EXPECT_GT(last_of(frames, without(Reject::moved_object)), 0.3f) << "the ghost is there without the test";
 }
 
+/// From an object on the left to one on the right, which then is all there is; a pixel of it comes from where
+/// `share` of the history was the other's.
+std::vector<Inputs> beside_another(float share, uint32_t moved_ids) {
+  constexpr uint32_t left = 1, right = 2;
+  constexpr float bright = 40, dark = 0.1f;
+  Inputs both = covered_by(object(8, right), dark), one = both;
+  both.motion.assign(both.motion.size(), {0, 0});
+  for (int y = 0; y < 16; ++y)
+    for (int x = 0; x <= 6; ++x) {
+      both.objects[both.at(x, y)] = object(7, left);
+      both.colours[both.at(x, y)] = glm::vec3(bright);
+    }
+  one.motion.assign(one.motion.size(), {-1 - share, 0});
+  one.moved_ids = moved_ids;
+  std::vector<Inputs> frames(20, both);
+  frames.push_back(one);
+  return frames;
+}
+
+TEST_F(KnownCauses, OfTwoThatRestMostOfAHistoryHasToBeTheOthers) {
+  const ModeRun unghost = run_of("unghost");
+  EXPECT_GT(last_of(beside_another(0.3f, 0), unghost), 0.5f) << "kept";
+  EXPECT_NEAR(last_of(beside_another(0.7f, 0), unghost), 0.1f, 1e-3);
+}
+
+TEST_F(KnownCauses, OfWhatMovesNoLeakIsTooSmallToBeGivenUp) {
+  const ModeRun unghost = run_of("unghost");
+  EXPECT_GT(last_of(beside_another(1.0f / 64, 0), unghost), 0.11f) << "both rest";
+  for (const uint32_t mover : {1u, 2u})
+    EXPECT_NEAR(last_of(beside_another(1.0f / 64, 1u << mover), unghost), 0.1f, 1e-3) << mover;
+  EXPECT_GT(last_of(beside_another(1.0f / 512, 1u << 1), unghost), 0.101f) << "what floats leave is none";
+}
+
 TEST_F(KnownCauses, IdsThatCollideCostTheRejection) {
   std::vector<Inputs> frames(20, covered_by(object(7, 20), 0.9f));
   frames.push_back(covered_by(object(8, 20), 0.1f));

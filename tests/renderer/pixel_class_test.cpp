@@ -52,7 +52,7 @@ TEST_F(PixelClasses, ACoatOrALobeOfAFewDegreesIsGlossy) {
   EXPECT_FALSE(is_glossy({.metalness = 0, .roughness = 0.1f, .unlit = true}));
 }
 
-TEST_F(PixelClasses, EdgesAreMixedAndThoseOfWhatMovesUnknown) {
+TEST_F(PixelClasses, EdgesAreMixedAndThoseOfWhatMovesRed) {
   const Colours drive = seen(studio->renderer, "drive", View::pixel_class);
   EXPECT_GT(drive.blue, 1000u) << "paint";
   EXPECT_GT(drive.green, 50u) << "number plate and bumper";

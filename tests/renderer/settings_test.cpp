@@ -168,6 +168,10 @@ TEST(Settings, CombinationsThatMakeNoSenseAreRefused) {
   settings = settings_for_mode("off");
   settings.taa.policy.history = HistoryFilter::catmull_rom;
   EXPECT_NE(refusal(settings).value_or("").find("blend=current keeps no history"), std::string::npos);
+  settings = settings_for_mode("off");
+  settings.taa.texture_jitter = TextureJitter::removed;
+  EXPECT_NE(refusal(settings).value_or("").find("texture-jitter=removed has no effect: jitter=none"),
+            std::string::npos);
 }
 
 TEST(Spelling, ComesFromTheEnumerators) {

@@ -9,9 +9,8 @@ namespace {
 
 constexpr Part all_parts[] = {
     {"reject=off-screen+visibility", "without moved objects",
-     "A history that was another object's is given up where either of the two moves, or, "
-     "where the picture moves, most of it was. "
-     "Without it, what a vehicle uncovers shows the vehicle."},
+     "A history that was another object's is given up where either of the two moves, or, where the picture "
+     "moves, most of it was. Without it, what a vehicle uncovers shows the vehicle."},
     {"reject=off-screen+moved-object", "without light that changes",
      "A history keeps how much light fell on it, and is lit anew where another amount falls. Without it, "
      "shadows trail."},
@@ -19,8 +18,8 @@ constexpr Part all_parts[] = {
      "A pixel follows the nearest surface of its 3x3, across an edge of depth or object alone. Without it, "
      "the smooth edge of what moves stays behind."},
     {"rectify=none", "without a bound for the unknown",
-     "What a glossy surface mirrors while anything moves, the edges of what moves, and what was lit anew are "
-     "clipped to the box of the 3x3."},
+     "What a glossy surface mirrors while anything moves or light changes, edges that move, and what was lit "
+     "anew are clipped to the box of the 3x3."},
     {"where=everywhere", "with a bound for the known, too",
      "All else keeps its history whole, whatever the 3x3 looks like. With a bound for it, too, the row is "
      "unghost-safe."},
@@ -59,8 +58,6 @@ const Part* find_part(std::string_view name) {
   const auto found = std::ranges::find(all_parts, name, name_without);
   return found == std::end(all_parts) ? nullptr : &*found;
 }
-
-bool changes_jitter(std::string_view change) { return change.starts_with("jitter"); }
 
 std::string parts_explained(std::span<const std::string> names) {
   std::string list;

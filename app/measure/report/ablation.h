@@ -22,8 +22,6 @@ std::span<const Part> parts();
 std::string name_without(const Part& part);
 /// The part that the row of this name goes without; nothing for any other name.
 const Part* find_part(std::string_view name);
-/// Times are taken without jitter, where a row with such a change is no other row.
-bool changes_jitter(std::string_view change);
 
 /// What the row does, as HTML, and the parts that these names of rows go without; empty where it is none.
 std::string parts_explained(std::span<const std::string> names);

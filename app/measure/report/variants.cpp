@@ -32,7 +32,8 @@ std::vector<std::string> variants_of(const Results& results, const std::string& 
   std::vector<std::string> names;
   for (const Measured& m : results.scenes)
     for (const MeasuredMode& row : m.rows)
-      if (is_variant(m, row.mode) && base_of_mode(row.mode) == base && std::ranges::count(names, row.mode) == 0)
+      if (is_variant(m, row.mode) && base_of_mode(row.mode) == base &&
+          std::ranges::count(names, row.mode) == 0)
         names.push_back(row.mode);
   return names;
 }
@@ -66,19 +67,19 @@ double read_figure(double value, const FigureKind& kind) {
   return kind.unit == "ms" ? value : as_read(value, kind.decimals);
 }
 
-/// Whether their rounds tell the times of two rows apart. Too few do not.
-bool told_apart(const MeasuredMode& was, const MeasuredMode& is, const FigureKind& kind) {
+/// Whether their rounds tell the times of two rows apart; nothing where too few have come along to know.
+std::optional<bool> told_apart(const MeasuredMode& was, const MeasuredMode& is, const FigureKind& kind) {
   const auto before = was.samples.find(std::string(kind.name)),
              after = is.samples.find(std::string(kind.name));
-  if (before == was.samples.end() || after == is.samples.end()) return false;
-  if (std::min(before->second.size(), after->second.size()) < 2) return false;
+  if (before == was.samples.end() || after == is.samples.end()) return std::nullopt;
+  if (std::min(before->second.size(), after->second.size()) < 2) return std::nullopt;
   constexpr double least = 1e-9;
   const RelativeChange change = change_of_medians(before->second, after->second, least);
   return change.low > 0 || change.high < 0;
 }
 
 std::string missing_cell(const MeasuredMode& row, const FigureKind& kind) {
-  const bool never = kind.time && changes_jitter(settings_in(row.mode));
+  const bool never = kind.time && changes_only_jitter(row.mode);
   return std::string("<td class=\"none\" title=\"") +
          (never ? "Times are taken without jitter, where this row is no other."
                 : "Not measured, or there is none here.") +
@@ -89,7 +90,7 @@ constexpr double tellable = 10; // times as much: a percentage of what there was
 
 /// Whether a reader takes both for the same.
 bool read_alike(const MeasuredMode& was, const MeasuredMode& is, const FigureKind& kind) {
-  if (kind.time && figure_in(was, kind) && !told_apart(was, is, kind)) return true;
+  if (kind.time && told_apart(was, is, kind) == false) return true;
   const double before = figure_in(was, kind).value_or(0), after = *figure_in(is, kind);
   return read_figure(before, kind) == read_figure(after, kind) || std::abs(after / before - 1) < 0.005;
 }
@@ -165,7 +166,7 @@ std::set<std::string> bases_in(const Results& results) {
 } // namespace
 
 bool is_variant(const Measured& m, const std::string& mode) {
-  return mode.find(':') != std::string::npos && row_of(m, base_of_mode(mode)) != nullptr;
+  return base_of_mode(mode) != mode && row_of(m, base_of_mode(mode)) != nullptr;
 }
 
 Results without_variants(Results results) {
@@ -196,7 +197,8 @@ std::string variants_section(const Results& results) {
   for (const std::string& base : bases_in(results)) html += tables_of(results, base);
   if (html.empty()) return html;
   return "<section id=\"variants\"><h2>One part changed at a time</h2>\n<p>The first row is what the mode "
-         "itself has. Each row below it changes one setting, and says how much more or less of each figure "
+         "itself has. Each row below it changes what stands below its name, and says how much more or less "
+         "of each figure "
          "there is then, in percent; more, which is worse, in bold. What becomes more than " +
          number(tellable, 0) +
          " times as large is told as it is (<q>to 0.423</q>): of next to nothing a percentage says nothing. "

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "renderer/settings.h"
+#include "renderer/mode_names.h"
 
 namespace unghost {
 
@@ -25,8 +25,11 @@ const Excuse* excuse_for(std::string_view mode, std::string_view row) {
       {"store=plain", "constant", 0.1, "half floats that are cut off stall an average short of its end"},
       {"store=plain", "lookup", 0.1, "half floats that are cut off are up to half a unit too dark"},
   };
-  const auto found = std::ranges::find_if(
-      excuses, [&](const Excuse& excuse) { return excuse.mode == mode && excuse.row == row; });
+  const std::vector<std::string> changes = changes_of_mode(mode);
+  const auto found = std::ranges::find_if(excuses, [&](const Excuse& excuse) {
+    return excuse.row == row &&
+           (excuse.mode == base_of_mode(mode) || std::ranges::count(changes, excuse.mode) > 0);
+  });
   return found == std::end(excuses) ? nullptr : found;
 }
 

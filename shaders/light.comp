@@ -157,7 +157,8 @@ void main() {
   if (has_surfaces) depth = texelFetch(depth_map, pixel, 0).r;
   vec3 ray = frame.eye_from_view * view_ray(vec2(pixel) + 0.5);
   float visibility = 1;
-  uint irradiance = light_word(1, false);
+  // Of the sky, what falls on things in the open before it.
+  uint irradiance = light_word(frame.open_sky_light + frame.open_sun_light, false);
   vec3 colour = vec3(0);
   if (!has_surfaces || depth <= 0) colour = visible_sky(normalize(ray));
   else if (has_lit) colour = lit_surface(pixel, ray, depth, visibility, irradiance);

@@ -1,6 +1,7 @@
 // `unghost bench`: what each mode adds to a frame, from GPU timestamps. The modes take turns within each
 // round, beside their naive resolves and a full-screen copy, so that a slow minute slows all of them.
 #include <algorithm>
+#include <numeric>
 
 #include <nlohmann/json.hpp>
 
@@ -32,27 +33,51 @@ nlohmann::json json_of(const std::string& mode, const ModeTimes& row) {
           {"over_plain_store", median_of(row.over_plain_store)}};
 }
 
-/// Into the object, and as a table.
-Table add_rows(const Shot& shot, const RunTimes& times, nlohmann::json& object) {
-  Table table{{"mode", "adds ms", "5%", "95%", "resolve ms", "over copy", "over naive", "over no rejection",
-               "over plain store"}};
-  for (size_t mode = 0; mode < shot.modes.size(); ++mode) {
-    const std::string& mode_name = shot.modes[mode].name;
-    const nlohmann::json row = object["rows"].emplace_back(json_of(mode_name, times.modes[mode]));
-    const auto cell = [&](const char* name, int digits) {
-      return row.at(name).is_null() ? "-" : fixed(row.at(name).get<double>(), digits);
-    };
-    table.add({mode_name, cell("ms", 2), cell("p05", 2), cell("p95", 2), cell("resolve_ms", 2),
-               cell("over_copy", 2), cell("over_naive", 3), cell("over_no_rejection", 3),
-               cell("over_plain_store", 3)});
-  }
-  return table;
+void add_rows(const Shot& shot, const RunTimes& times, nlohmann::json& object) {
+  for (size_t mode = 0; mode < shot.modes.size(); ++mode)
+    object["rows"].push_back(json_of(shot.modes[mode].name, times.modes[mode]));
 }
 
+/// Frames of their own, beside the rows.
 void add_sharing(const Shot& shot, Headless& headless, nlohmann::json& object) {
-  constexpr uint32_t rounds = 3;
+  constexpr uint32_t rounds = 5;
   const Sharing sharing = time_sharing(headless.film(), shot.modes, rounds);
-  object["together_ms"] = sharing.together_ms, object["alone_ms"] = sharing.alone_ms;
+  object["together_ms"] = sharing.together_ms;
+  object["alone_ms"] = std::reduce(sharing.alone_ms.begin(), sharing.alone_ms.end());
+  for (size_t mode = 0; mode < shot.modes.size(); ++mode)
+    object["rows"][mode]["alone_ms"] = sharing.alone_ms[mode];
+}
+
+struct Column {
+  const char *figure, *head;
+  int decimals;
+};
+constexpr Column columns[] = {{"ms", "adds ms", 2},
+                              {"p05", "5%", 2},
+                              {"p95", "95%", 2},
+                              {"resolve_ms", "resolve ms", 2},
+                              {"over_copy", "over copy", 2},
+                              {"over_naive", "over naive", 3},
+                              {"over_no_rejection", "over no rejection", 3},
+                              {"over_plain_store", "over plain store", 3},
+                              {"alone_ms", "frame alone ms", 1}};
+
+Table table_of(const nlohmann::json& rows) {
+  const auto asked = [&](const Column& column) { return rows.front().contains(column.figure); };
+  std::vector<std::string> heads{"mode"};
+  for (const Column& column : columns)
+    if (asked(column)) heads.push_back(column.head);
+  Table table(std::move(heads));
+  for (const nlohmann::json& row : rows) {
+    std::vector<std::string> cells{row.at("mode").get<std::string>()};
+    for (const Column& column : columns) {
+      if (!asked(column)) continue;
+      const nlohmann::json& figure = row.at(column.figure);
+      cells.push_back(figure.is_null() ? "-" : fixed(figure.get<double>(), column.decimals));
+    }
+    table.add(std::move(cells));
+  }
+  return table;
 }
 
 } // namespace
@@ -76,9 +101,9 @@ void bench(const CommandLine& line, Console& console) {
   object["scene"] = shot.scene, object["seed"] = shot.seed;
   object["copy_ms"] = quantile(times.copy_ms, 0.5), object["motion_ms"] = quantile(times.motion_ms, 0.5);
   object["geometry_ms"] = quantile(times.geometry_ms, 0.5);
-  const Table table = add_rows(shot, times, object);
+  add_rows(shot, times, object);
   if (line.alone) add_sharing(shot, headless, object);
-  console.out << (line.json ? object.dump(2) + "\n" : table.text());
+  console.out << (line.json ? object.dump(2) + "\n" : table_of(object["rows"]).text());
   if (!line.json && !console.quiet)
     console.err << "what a mode adds is its resolve, its sharpening and the motion pass ("
                 << fixed(object["motion_ms"].get<double>(), 2) << " ms); a full-screen copy took "

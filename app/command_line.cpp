@@ -132,7 +132,8 @@ void add_options(CLI::App& app, const CommandRow& row, CommandLine& line) {
   add_rounds(app, row, line);
   if (row.options & rounds_only)
     app.add_flag("--alone,!--no-alone", line.alone,
-                 "Also draw each mode in frames of its own: what sharing the geometry saves");
+                 "Also draw each mode in frames of its own: all that it costs there, and what sharing the "
+                 "geometry saves");
   if (row.options & watched)
     app.add_flag(
         "--watch,!--no-watch", line.watch,

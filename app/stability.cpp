@@ -129,7 +129,7 @@ std::vector<ModeRun> modes_from(const CommandLine& line) {
     if (std::ranges::find(modes, run.name, &ModeRun::name) == modes.end()) modes.push_back(run);
   };
   for (const std::string& name : line.modes.empty() ? std::vector<std::string>{all_of_them} : line.modes)
-    if (base_of_mode(name) != name || (name != all_of_them && find_taa_mode(name) != nullptr))
+    if (base_of_mode(name) != name || find_taa_mode(name) != nullptr)
       add(mode_run(name));
     else
       for (const ModeRun* mode : chosen(std::span(known), {name}, "mode")) add(*mode);

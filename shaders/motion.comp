@@ -14,9 +14,9 @@ layout(constant_id = 6) const bool has_irradiance = false;
 
 layout(set = 0, binding = MOTION_DEPTH) uniform texture2D depth_map;
 layout(set = 0, binding = MOTION_TAG) uniform utexture2D tag_map;
-layout(set = 0, binding = MOTION_OF_OBJECTS) uniform texture2D object_motion;
-layout(set = 0, binding = MOTION_OBJECT) uniform utexture2D object_map;
-layout(set = 0, binding = MOTION_IRRADIANCE) uniform utexture2D irradiance_map;
+layout(set = 0, binding = MOTION_OF_OBJECTS, rgba32f) uniform readonly image2D object_motion;
+layout(set = 0, binding = MOTION_OBJECT, r32ui) uniform readonly uimage2D object_map;
+layout(set = 0, binding = MOTION_IRRADIANCE, r8ui) uniform readonly uimage2D irradiance_map;
 layout(set = 0, binding = MOTION_OUT, rg32f) uniform writeonly image2D motion_out;
 layout(set = 0, binding = MOTION_PREVIOUS_DEPTH_OUT, r32f) uniform writeonly image2D previous_depth_out;
 layout(set = 0, binding = MOTION_DEPTH_OUT, r32f) uniform writeonly image2D depth_out;
@@ -41,7 +41,7 @@ void main() {
   vec3 motion = motion_of_world(vec2(pixel) + 0.5, depth);
   bool moved = false;
   if (objects_moved) {
-    vec4 of_object = texelFetch(object_motion, pixel, 0);
+    vec4 of_object = imageLoad(object_motion, pixel);
     moved = of_object.w > 0;
     if (moved) motion = of_object.xyz;
   }
@@ -52,9 +52,9 @@ void main() {
     imageStore(depth_out, pixel, vec4(with_tag(depth, tag), 0, 0, 0));
   }
   if (keeps_key) {
-    uint object = has_surfaces ? texelFetch(object_map, pixel, 0).r : 0;
+    uint object = has_surfaces ? imageLoad(object_map, pixel).r : 0;
     if (frame.mirrors_change == 0) object &= ~OBJECT_GLOSSY;
-    uint light = has_irradiance ? texelFetch(irradiance_map, pixel, 0).r : light_word(1, false);
+    uint light = has_irradiance ? imageLoad(irradiance_map, pixel).r : light_word(1, false);
     if (has_irradiance && moved) light |= LIGHT_CHANGES;  // it came to other light
     float zoom = depth > 0 ? motion.z * (depth / frame.near_plane) - 1 : 0;
     imageStore(key_out, pixel, uvec4(key_of(depth, object, light, zoom)));

@@ -96,7 +96,8 @@ layout(set = 0, binding = TAA_OBJECT_OUT, r32ui) uniform writeonly uimage2D obje
 layout(set = 0, binding = TAA_WHY_OUT, rgba32f) uniform writeonly image2D why_out;
 layout(set = 0, binding = TAA_HISTORY_OUT, rgba16f) uniform writeonly image2D history_out;
 layout(set = 0, binding = TAA_PROBE_OUT, rgba32f) uniform writeonly image2D probe_out;
-layout(push_constant, scalar) uniform Push { TaaPush push; };
+layout(push_constant, scalar) uniform Push { TaaPush pushed; };
+TaaPush push = pushed;  // once, as the frame's constants
 
 /// What is not a number ends here: it would spread through the history for ever.
 vec3 finite(vec3 colour) {

@@ -9,8 +9,8 @@ uint rank_of_key(uint key) { return key >> KEY_DEPTH_SHIFT; }
 float depth_of_key(uint key) { return uintBitsToFloat(key >> KEY_DEPTH_SHIFT << KEY_DEPTH_IN_FLOAT); }
 /// Sums of these are sums of steps.
 uint light_bits_of(uint key) { return key & KEY_LIGHT_STEPS << KEY_LIGHT_SHIFT; }
-uint light_step_of(uint key) { return key >> KEY_LIGHT_SHIFT & KEY_LIGHT_STEPS; }
-float lightness_of_key(uint key) { return float(light_step_of(key)) / KEY_LIGHT_STEPS; }
+uint light_step_of(uint key) { return light_bits_of(key) >> KEY_LIGHT_SHIFT; }
+float lightness_of_key(uint key) { return float(light_step_of(key)) * (1.0 / KEY_LIGHT_STEPS); }
 float zoom_of(uint key) { return float(key & KEY_ZOOM_STEPS) * KEY_ZOOM_STEP; }
 uint id_of_key(uint key) { return (key & KEY_ID) >> KEY_ID_SHIFT; }
 uint id_bit_of_key(uint key) { return 1u << id_of_key(key); }

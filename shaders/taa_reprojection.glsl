@@ -79,7 +79,7 @@ void take_kept(inout Reprojected r, uint key) {
   }
   uint others = seen & ~(1u << now), movers = (push.moved_ids >> now & 1) != 0 ? ~0u : push.moved_ids;
   r.other_moved = (others & movers) != 0 || (of_others > 0.5 && moves(r));
-  r.lightness = light / KEY_LIGHT_STEPS;
+  r.lightness = light * (1.0 / KEY_LIGHT_STEPS);
   if (!takes_age()) return;
   bvec2 later = greaterThan(fract(r.at - 0.5), vec2(0.5));  // the nearest, which weighs most
   r.count = kept_of_half(later.y ? (later.x ? r.alphas.w : r.alphas.z) : (later.x ? r.alphas.y : r.alphas.x)).age;

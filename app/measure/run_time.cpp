@@ -105,14 +105,19 @@ Sharing time_sharing(const Film& film, const std::vector<ModeRun>& modes, uint32
     }
     return ms;
   };
-  std::vector<double> together, alone;
+  std::vector<double> together;
+  std::vector<std::vector<double>> alone(modes.size());
   for (uint32_t round = 0; round <= rounds; ++round) { // the first one warms up
-    double sum = 0;
-    for (const ModeRun& mode : modes) sum += frame_ms({mode});
+    for (size_t mode = 0; mode < modes.size(); ++mode) {
+      const double ms = frame_ms({modes[mode]});
+      if (round > 0) alone[mode].push_back(ms);
+    }
     const double all = frame_ms(modes);
-    if (round > 0) together.push_back(all), alone.push_back(sum);
+    if (round > 0) together.push_back(all);
   }
-  return {.together_ms = quantile(together, 0.5), .alone_ms = quantile(alone, 0.5)};
+  Sharing sharing{.together_ms = quantile(together, 0.5), .alone_ms = {}};
+  for (const std::vector<double>& times : alone) sharing.alone_ms.push_back(quantile(times, 0.5));
+  return sharing;
 }
 
 double timed_work(const std::vector<ModeRun>& modes, uint32_t rounds, bool stores) {

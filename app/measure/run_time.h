@@ -26,10 +26,12 @@ struct RunTimes {
 /// mode may have a jitter.
 RunTimes time_modes(const Film& film, const std::vector<ModeRun>& modes, uint32_t rounds,
                     bool stores = false);
-/// Times of all passes of a frame, ms, medians of rounds: of one frame with all modes, and of frames of one
-/// mode each, in sum. Each is the second of two frames, so that histories are there.
+/// Times of all passes of a frame, ms, medians of rounds: of one frame with all modes, and of a frame of each
+/// alone, in which a mode pays for all that is made for it. Each is the second of two frames, so that
+/// histories are there.
 struct Sharing {
-  double together_ms = 0, alone_ms = 0;
+  double together_ms = 0;
+  std::vector<double> alone_ms; // as the modes
 };
 Sharing time_sharing(const Film& film, const std::vector<ModeRun>& modes, uint32_t rounds);
 

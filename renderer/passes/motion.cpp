@@ -24,16 +24,17 @@ Told asked_of(FrameGraph& graph, const FrameContext& in, bool lit, ImageRef key)
 
 std::vector<Binding> bindings_of(FrameGraph& graph, const FrameContext& in, const GBuffer& gbuffer,
                                  ImageRef irradiance, const Motion& motion, Told told) {
-  const auto read_if = [&](bool is, uint32_t slot, ImageRef read) {
-    return sampled(slot, is ? read : graph.neutral(VK_FORMAT_R32G32B32A32_SFLOAT));
+  // Neutral images that are sampled have formats of their own: in one pass an image has one layout.
+  const auto read_if = [&](bool is, uint32_t slot, ImageRef read, VkFormat format) {
+    return storage_read(slot, is ? read : graph.neutral(format));
   };
-  const ImageRef no_integers = graph.neutral(VK_FORMAT_R8_UINT);
   return {uniform(FRAME_BINDING, in.constants),
-          read_if(gbuffer.surfaces, MOTION_DEPTH, gbuffer.depth),
-          read_if(gbuffer.moves, MOTION_OF_OBJECTS, gbuffer.object_motion),
-          gbuffer.tagged ? sampled_stencil(MOTION_TAG, gbuffer.depth) : sampled(MOTION_TAG, no_integers),
-          sampled(MOTION_OBJECT, told.key && gbuffer.surfaces ? gbuffer.object : no_integers),
-          sampled(MOTION_IRRADIANCE, told.light ? irradiance : no_integers),
+          sampled(MOTION_DEPTH, gbuffer.surfaces ? gbuffer.depth : graph.neutral(VK_FORMAT_R8_UNORM)),
+          read_if(gbuffer.moves, MOTION_OF_OBJECTS, gbuffer.object_motion, VK_FORMAT_R32G32B32A32_SFLOAT),
+          gbuffer.tagged ? sampled_stencil(MOTION_TAG, gbuffer.depth)
+                         : sampled(MOTION_TAG, graph.neutral(VK_FORMAT_R16_UINT)),
+          read_if(told.key && gbuffer.surfaces, MOTION_OBJECT, gbuffer.object, VK_FORMAT_R32_UINT),
+          read_if(told.light, MOTION_IRRADIANCE, irradiance, VK_FORMAT_R8_UINT),
           storage_write(MOTION_KEY_OUT, motion.key),
           storage_write(MOTION_OUT, motion.motion_px),
           storage_write(MOTION_PREVIOUS_DEPTH_OUT, motion.previous_depth),

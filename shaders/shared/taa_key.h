@@ -46,7 +46,7 @@ SHARED_FUNCTION float lightness_of(float light) {
 }
 /// As numerator and denominator.
 SHARED_FUNCTION vec2 light_fraction(float lightness) {
-  float root = lightness / UNIT_LIGHTNESS;
+  float root = lightness * (1 / UNIT_LIGHTNESS);
   return root <= 1 ? vec2(root * root, 1) : vec2(1 - UNIT_LIGHTNESS, 1 - min(lightness, 0.999f));
 }
 
@@ -61,7 +61,7 @@ SHARED_FUNCTION uint light_word(float light, bool changes) {
 /// over this frame's, minus 1.
 SHARED_FUNCTION uint key_of(float depth, uint object, uint light, float zoom) {
   uint rank = floatBitsToUint(depth) >> KEY_DEPTH_IN_FLOAT; // 14 bits
-  float steps = zoom > 0 ? zoom / KEY_ZOOM_STEP + 0.5f : 0; // 0 of what is no number, too
+  float steps = zoom > 0 ? zoom * (1 / KEY_ZOOM_STEP) + 0.5f : 0; // 0 of what is no number, too
   uint nearer = uint(min(steps, float(KEY_ZOOM_STEPS)));
   return rank << KEY_DEPTH_SHIFT | object >> OBJECT_KEYED_SHIFT << KEY_OBJECT_SHIFT | light << KEY_LIGHT_SHIFT | nearer;
 }

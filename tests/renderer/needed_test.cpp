@@ -33,6 +33,12 @@ struct Drawn {
       return image.bytes > texel_bytes_at_most && image.name.find(name) != std::string::npos;
     });
   }
+  /// Of the images that this pass is the first to touch. Those of a whole frame may stay as they are without
+  /// one: what comes later takes its memory.
+  uint64_t bytes_of(std::string_view pass) const {
+    const auto found = std::ranges::find(frame.passes, pass, &PassReport::name);
+    return found == frame.passes.end() ? 0 : found->image_bytes;
+  }
   /// The longest pipeline whose shader is named so.
   UsedPipeline pipeline(std::string_view shader) const {
     UsedPipeline longest;
@@ -118,7 +124,7 @@ TEST_F(Needed, WhatRestsHasNoMotion) {
   EXPECT_EQ(std::ranges::count(still.passes(), "motion"), 0);
   const Drawn with_it = draw_all(studio->renderer, "still", {"gdk-clamp"}),
               without = draw_all(studio->renderer, "still", {"gdk-clamp"}, {}, "object motion");
-  EXPECT_GE(with_it.frame.image_bytes, without.frame.image_bytes + 160 * 90 * 16);
+  EXPECT_GE(with_it.bytes_of("g-buffer"), without.bytes_of("g-buffer") + 160 * 90 * 16);
   EXPECT_LT(still.pipeline("taa.comp").instructions, moves.pipeline("taa.comp").instructions);
   EXPECT_LT(still.pipeline("taa.comp").fetches, moves.pipeline("taa.comp").fetches);
   for (const PassReport& pass : still.frame.passes)

@@ -198,8 +198,7 @@ std::string variants_section(const Results& results) {
   if (html.empty()) return html;
   return "<section id=\"variants\"><h2>One part changed at a time</h2>\n<p>The first row is what the mode "
          "itself has. Each row below it changes what stands below its name, and says how much more or less "
-         "of each figure "
-         "there is then, in percent; more, which is worse, in bold. What becomes more than " +
+         "of each figure there is then, in percent; more, which is worse, in bold. What becomes more than " +
          number(tellable, 0) +
          " times as large is told as it is (<q>to 0.423</q>): of next to nothing a percentage says nothing. "
          "≈ is the same: figures that read alike or differ by less than half a percent, and times that the "

@@ -97,10 +97,8 @@ std::string_view summary_of(View view) {
   case View::rejected:
     return "Where the history was given up, or lit anew: off-screen red, tag green, near and moving violet, "
            "velocity yellow, length of motion cyan, speed pink, depth lime, object blue, moved object "
-           "orange, "
-           "visibility (lit anew, or bounded where there is too much light to tell) turquoise; of several "
-           "the "
-           "last.";
+           "orange, visibility (lit anew, or bounded where there is too much light to tell) turquoise; of "
+           "several the last.";
   case View::history:
     return "The history as it was mixed with the current frame.";
   case View::age:
@@ -113,8 +111,7 @@ std::string_view summary_of(View view) {
            "last frame's, beside on what moves.";
   case View::pixel_class:
     return "What modes that know causes take a pixel for: plain grey, glossy blue where anything moves or "
-           "light changes, "
-           "mixed yellow, moving green, mixed and moving red.";
+           "light changes, mixed yellow, moving green, mixed and moving red.";
   }
   return {};
 }

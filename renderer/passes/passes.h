@@ -43,14 +43,14 @@ struct FrameContext {
   std::vector<uint8_t> mirrored;    // by object: whether its triangles are turned inside out
   InView in_view;
   bool camera_moved = false;
-  bool light_changes = false;          // on some surface, since the last frame
-  bool mirrors_change = false;         // what glossy surfaces mirror: anything moves, in view or not, or light
-  uint32_t moved_ids = 0;              // bit i: something of that id (shaders/shared/taa_key.h) moves, or did
-  bool sun_shines = false;             // or somebody looks at its shadows
-  uint32_t more_features = 0;          // beside each draw's own: bits of frame.h
-  uint32_t shadow_texels = 0;          // along a side of the map
-  uint64_t shadow_version = 0;         // changes with whatever the shadows of what rests depend on
-  VkRect2D shadows_moved_before;       // texels of the map that moving casters lay in, in the frame before
+  bool light_changes = false;    // on some surface, since the last frame
+  bool mirrors_change = false;   // what glossy surfaces mirror: anything moves, in view or not, or light
+  uint32_t moved_ids = 0;        // bit i: something of that id (shaders/shared/taa_key.h) moves, or did
+  bool sun_shines = false;       // or somebody looks at its shadows
+  uint32_t more_features = 0;    // beside each draw's own: bits of frame.h
+  uint32_t shadow_texels = 0;    // along a side of the map
+  uint64_t shadow_version = 0;   // changes with whatever the shadows of what rests depend on
+  VkRect2D shadows_moved_before; // texels of the map that moving casters lay in, in the frame before
   std::vector<uint8_t> policy_changed; // by mode: its history is of another policy
   DepthRange tagged;
   bool timed = false;
